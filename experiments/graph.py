@@ -73,11 +73,11 @@ class Joint:
     ball: Path
     socket: Path
     subject: Path | None  # subject.json
-    options: list[str]  # of scene: --side, --axes
+    options: list[str]  # of impinge: --side, --axes
 
 
 def find_joint(folder: Path) -> Joint | None:
-    """The joint in a folder, unless a mesh is missing or its description has no centre or no axes of a right-handed frame:
+    """The joint in a folder, unless a mesh is missing or its description has no centre, another side, or no axes of a right-handed frame:
     programs leave it out, too.
     """
 
@@ -99,7 +99,9 @@ def find_joint(folder: Path) -> Joint | None:
     if not isinstance(centre, list) or [type(x) in (int, float) for x in centre] != [True] * 3:
         return None
     side, axes = said.get("side"), said.get("axes")
-    options = ["--side", side] if side in ("left", "right") else []
+    if side not in (None, "left", "right"):
+        return None
+    options = ["--side", side] if side else []
     ends = re.findall(rf"= (?:patient )?({'|'.join(WAYS)})", axes) if isinstance(axes, str) else []
     if ends and not right_handed([WAYS.index(end) for end in ends]):
         return None

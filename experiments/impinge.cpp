@@ -71,12 +71,12 @@ void add_cohort(CLI::App& program, const Screen& screen, std::function<void()>& 
   app.parse_complete_callback([options, &screen, &work] {
     work = [options, &screen] {
       if (options->study.empty() && options->merge.empty())
-        throw CommandError("nothing to do: give --study and --out, or --merge; see impinge cohort --help");
+        throw std::invalid_argument("nothing to do: give --study and --out, or --merge");
       ShardName shard;
       try {
         shard = parse_shard(options->shard);
       } catch (const std::invalid_argument& error) {
-        throw CommandError("--shard: " + std::string(error.what()));
+        throw std::invalid_argument("--shard: " + std::string(error.what()));
       }
       run(*options, shard, screen.out);
     };

@@ -3,7 +3,8 @@
 // @links   contact
 //
 // Touch and smallest gap without asking most vertices or faces. culled_faces: touch of the surfaces, edges
-// and all, as `scene` answers it; culled: of the vertices; culled_least_gap: smallest gap of a vertex.
+// and all, as `impinge touch` answers it; culled: of the vertices; culled_least_gap: smallest gap of a
+// vertex.
 
 #include <memory>
 

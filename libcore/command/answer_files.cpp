@@ -28,10 +28,12 @@ fs::path existing(const fs::path& of) {
   return folder;
 }
 
-// What the summary that lies there lists.
+// What the summary that lies there lists, and what an interrupted question kept.
 std::vector<std::string> files_of_earlier(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code unreadable;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder, unreadable))
+    if (file.path().extension() == ".part") names.push_back(file.path().filename().string());
   if (!fs::is_regular_file(folder / kSummary, unreadable) || fs::is_empty(folder / kSummary, unreadable))
     return names;
   const Json said = Json::parse(read_bytes(folder / kSummary), nullptr, /*allow_exceptions=*/false);
@@ -64,7 +66,7 @@ AnswerFolder::~AnswerFolder() {
   while (folder != there_ && fs::remove(folder, kept)) folder = folder.parent_path();
 }
 
-std::vector<std::string> AnswerFolder::write(const Told& told, Json document, const Work& work) {
+std::vector<std::string> AnswerFolder::write(const Told& told, Json& document, const Work& work) {
   std::vector<std::string> names = told.wrote;
   for (const AnswerFile& file : told.files) names.push_back(file.name);
   names.emplace_back(kSummary);

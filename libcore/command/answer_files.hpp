@@ -22,7 +22,7 @@ class AnswerFolder {
 
   /// Writes the files together with summary.json, which lists them, all or none. std::runtime_error if one of
   /// them would replace an input. Returns files of an earlier answer that are still there.
-  std::vector<std::string> write(const Told& told, Json document, const Work& work);
+  std::vector<std::string> write(const Told& told, Json& document, const Work& work);
 
   const std::filesystem::path& path() const { return folder_; }
 

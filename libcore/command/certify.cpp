@@ -35,11 +35,13 @@ Told told(Session& session, const CertifyRequest& request, const Work& work) {
 }  // namespace
 
 QuestionCommand certify_question() {
-  return question_of<CertifyRequest, CertifyAnswer>(
+  QuestionCommand made = question_of<CertifyRequest, CertifyAnswer>(
       "certify",
       "A proof that a pose or motion is free of contact, or that bones touch, which others can check without "
       "this program.",
       "femur.ply pelvis.ply --side right --motion flexion --out proof", &told);
+  made.without = {"--keep", "--overlap"};  // it is about all of the meshes as they lie in their files
+  return made;
 }
 
 }  // namespace impinge

@@ -5,4 +5,4 @@ execute_process(COMMAND git -C "${SOURCE}" describe --always --dirty --abbrev=9 
 if(failed)
   set(commit unknown)
 endif()
-file(CONFIGURE OUTPUT "${OUT}" CONTENT "namespace impinge {\nextern const char* const kVersion;\nconst char* commit();\nconst char* const kVersion = IMPINGE_VERSION;\nconst char* commit() { return \"@commit@\"; }\n}\n" @ONLY)
+file(CONFIGURE OUTPUT "${OUT}" CONTENT "namespace impinge {\nextern const char* const kVersion;\nconst char* commit();\nconst char* const kVersion = IMPINGE_VERSION;\nconst char* commit() { return \"${commit}\"; }\n}\n" @ONLY)

@@ -120,9 +120,11 @@ Told told(Session& session, const GapsRequest& request, const Work& work) {
 }  // namespace
 
 QuestionCommand gaps_question() {
-  return question_of<GapsRequest, GapsAnswer>(
+  QuestionCommand made = question_of<GapsRequest, GapsAnswer>(
       "gaps", "All gaps of a pose: where the joint is narrow, what impinges, with coloured meshes.",
       "femur.ply pelvis.ply --side right --pose flexion=90 --out pose", &told);
+  made.takes_map = true;
+  return made;
 }
 
 std::string describe(const std::optional<SmallestGapDocument>& gap) {

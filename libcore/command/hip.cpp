@@ -51,15 +51,18 @@ void write_both(const fs::path& out, const BallSocketPair& meshes) {
 void make(const HipOptions& options, std::ostream& out) {
   if (options.name == kPair) {
     if (!options.changes.empty())
-      throw CommandError("--set: changes a hip, and the pair is none; leave it out");
+      throw std::invalid_argument("--set: changes a hip, and the pair is none; leave it out");
     require_writable_folder(options.out);
     write_both(options.out, make_ball_socket_pair(options.faces));
     out << "wrote               " << (options.out / "{ball.ply,socket.ply}").string()
         << ": a ball in a socket" << std::endl;
     return;
   }
-  HipParameters parameters = hip_preset(options.name);
-  for (const std::string& change : options.changes) set_hip_parameter(parameters, change);
+  HipParameters parameters;
+  in_field("NAME", [&] { parameters = hip_preset(options.name); });
+  in_field("--set", [&] {
+    for (const std::string& change : options.changes) set_hip_parameter(parameters, change);
+  });
   const Hip made = make_hip(parameters, options.faces);
   require_writable_folder(options.out);
   write_both(options.out, main_surfaces(made));
@@ -87,16 +90,14 @@ void add_hip_command(CLI::App& program, const Screen& screen, std::function<void
   app.footer("Example: impinge hip cam --out cam_hip");
   std::string listed;
   for (const std::string& name : names()) listed += (listed.empty() ? "" : ", ") + name;
-  app.add_option("NAME", options->name, listed + " [normal]")
-      ->check(CLI::IsMember(names()).description(""))
-      ->type_name("");
+  app.add_option("NAME", options->name, listed + " [normal]")->type_name("");
   app.add_option("--set", options->changes,
                  "a parameter of the hip (hip/hip_parameters.hpp has all); once or more")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   app.add_option("--faces", options->faces, "of each surface, about [12000]")
       ->type_name("N")
-      ->check(in_range({20, 1e8}));
+      ->check(in_range({20, 1e8}, true));
   app.add_option("-o,--out", options->out, "folder for the meshes")->type_name("DIR")->required();
   app.parse_complete_callback(
       [options, &screen, &work] { work = [options, &screen] { make(*options, screen.out); }; });

@@ -130,17 +130,17 @@ void add_table(Told& told) {
   told.files.push_back({told.table_name, to_csv(table)});
 }
 
-void write(AnswerFolder& folder, const Answered& answered, const Work& work, const JointCommand& command,
-           const Screen& screen) {
-  const std::vector<std::string> older = folder.write(answered.told, answered.document, work);
-  std::vector<std::string> names = answered.told.wrote;
-  for (const AnswerFile& file : answered.told.files) names.push_back(file.name);
+// `older`: files of an earlier answer.
+void tell_written(const fs::path& folder, const Told& told, const std::vector<std::string>& older,
+                  const JointCommand& command, const Screen& screen) {
+  std::vector<std::string> names = told.wrote;
+  for (const AnswerFile& file : told.files) names.push_back(file.name);
   names.emplace_back("summary.json");
   if (!command.json)
-    screen.out << "wrote               " << folder.path().string() << "/" << listed(names) << std::endl;
+    screen.out << "wrote               " << folder.string() << "/" << listed(names) << std::endl;
   if (!older.empty())
     screen.log << "impinge: warning: "
-               << one_line(folder.path().string() + "/" + listed(older) +
+               << one_line(folder.string() + "/" + listed(older) +
                            " is left from an earlier command: it says nothing about this one")
                << std::endl;
 }
@@ -169,11 +169,13 @@ void run_one(const JointCommand& command, const Screen& screen) {
   work.inputs = inputs_of(command, command.joint);
   Answered answered = ask(command, command.joint, work, screen);
   add_table(answered.told);
+  std::vector<std::string> older;
+  if (folder) older = folder->write(answered.told, answered.document, work);
   if (command.json)
     screen.out << text_of(answered.document);
   else
     screen.out << answered.told.words;
-  if (folder) write(*folder, answered, work, command, screen);
+  if (folder) tell_written(command.out, answered.told, older, command, screen);
 }
 
 // What is given for all goes before its own description.
@@ -243,14 +245,11 @@ void run_all(const JointCommand& command, const Screen& screen) {
 // What is given goes together.
 void require_consistent(const JointCommand& command) {
   if (command.schema) return;
-  const std::string see = "; see impinge " + command.question.name + " --help";
-  try {
-    command.question.check();
-  } catch (const std::invalid_argument& error) {
-    throw CommandError(error.what() + see);
-  }
+  command.question.check();
+  if (command.joint.cartilage_map && !command.question.takes_map)
+    throw std::invalid_argument("cartilage: is one thickness here, and no map; give a number of mm");
   if (command.joints.empty() && (command.joint.ball.empty() || command.joint.socket.empty()))
-    throw CommandError("two meshes are needed, BALL and SOCKET" + see);
+    throw std::invalid_argument("two meshes are needed, BALL and SOCKET");
 }
 
 void run(const JointCommand& command, const Screen& screen) {
@@ -289,9 +288,10 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
   joints->needs(out)->excludes(ball);
   for (const char* of_one : {"--centre", "--landmarks", "--ball-part", "--socket-part", "--config"})
     joints->excludes(app.get_option(of_one));
+  for (const char* other : command->question.without) app.remove_option(app.get_option(other));
   app.add_option("--threads", command->threads, "[all cores]")
       ->type_name("N")
-      ->check(in_range({1, 1024}))
+      ->check(in_range({1, 1024}, true))
       ->group(group);
   app.add_flag("--quiet", command->quiet, "no progress")->group(group);
   app.add_flag("--schema", command->schema, "print the JSON Schema of the document, and do nothing else")

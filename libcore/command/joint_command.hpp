@@ -17,7 +17,7 @@ struct Screen {
   std::ostream& log;
 };
 
-/// Options that do not go together, in a way that CLI11 cannot say: what() is one line.
+/// What is wrong with a command line, and where to look: what() is one line.
 class CommandError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

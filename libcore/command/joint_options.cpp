@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command/joint_options.hpp"
 
+#include <array>
+#include <memory>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -106,9 +109,11 @@ std::function<void()> add_joint_options(CLI::App& command, JointOptions& options
           ->allow_extra_args(false));
   grouped(command
               .add_option_function<std::string>(
-                  "--side", [&options](const std::string& text) { options.side = parse_side(text); },
+                  "--side",
+                  [&options](const std::string& word) {
+                    options.side = static_cast<Side>(place_among(word, words_of<Side>, "--side"));
+                  },
                   "of the body; abduction and rotation need it")
-              ->check(CLI::IsMember({"left", "right"}).description(""))
               ->type_name("left|right"));
   grouped(command
               .add_option_function<std::string>(
@@ -140,9 +145,11 @@ std::function<void()> add_joint_options(CLI::App& command, JointOptions& options
   grouped(command
               .add_option_function<std::string>(
                   "--keep",
-                  [&options](const std::string& which) { options.keep_largest = which == "largest"; },
+                  [&options](const std::string& word) {
+                    constexpr std::array<std::string_view, 2> kWords{"all", "largest"};
+                    options.keep_largest = place_among(word, kWords, "--keep") == 1;
+                  },
                   "of each file all pieces, or the largest alone [all]")
-              ->check(CLI::IsMember({"all", "largest"}).description(""))
               ->type_name("all|largest"));
   grouped(command
               .add_option("--overlap", options.overlap_mm,
@@ -152,8 +159,7 @@ std::function<void()> add_joint_options(CLI::App& command, JointOptions& options
   grouped(command
               .add_option("--config", options.config,
                           "JSON with side, axes, centre, parts, landmarks, cartilage_mm of the joint")
-              ->type_name("FILE")
-              ->check(CLI::ExistingFile));
+              ->type_name("FILE"));
   return [&command, &options] {
     if (options.config) use_description(command, *options.config, options);
   };

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <new>
 #include <thread>
 
 #include "command/hip.hpp"
 #include "command/joint_command.hpp"
+#include "command/request_options.hpp"
 #include "command/version.hpp"
 #include "files/one_line.hpp"
 #include "joint/document.hpp"
@@ -22,33 +24,49 @@ constexpr const char* kAbout =
 constexpr const char* kFooter =
     "Exit code: 0; 1 where a mesh or file cannot be used; 2 for a wrong command or option.";
 
-// The first word that is no option.
-std::string command_word(int argc, const char* const* argv) {
-  for (int k = 1; k < argc; ++k)
-    if (argv[k][0] != '-') return argv[k];
-  return "";
-}
-
 void require_command(const std::string& word, const CLI::App& program) {
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
   std::vector<std::string_view> words(names.begin(), names.end());
-  if (!word.empty()) place_among(word, words, "impinge");
+  place_among(word, words, "impinge");
 }
 
-// What CLI11 says of a wrong option, and the near one.
-std::string advice(const CLI::App& program, const CLI::ParseError& error) {
-  const CLI::App* command = &program;
-  for (const CLI::App* asked : program.get_subcommands()) command = asked;
-  std::string text = error.what();
+// The command that is given, else the program.
+const CLI::App& asked(const CLI::App& program) {
+  const auto given = program.get_subcommands();
+  return given.empty() ? program : *given.back();
+}
+
+// "impinge" or "impinge gaps".
+std::string full_name(const CLI::App& command) {
+  return (command.get_parent() ? "impinge " : "") + command.get_name();
+}
+
+// Of the words that nothing expects the first option, else the first, and what may be meant.
+std::string unexpected(const CLI::App& program) {
+  const std::vector<std::string> extras = program.remaining(true);
+  const auto option = std::find_if(extras.begin(), extras.end(), [](const auto& x) { return x[0] == '-'; });
+  if (option == extras.end()) return "'" + extras.front() + "' was not expected";
+  const CLI::App& command = asked(program);
+  const std::string name = option->substr(0, option->find('='));
+  if (command.get_option_no_throw(name) != nullptr) return name + ": give it behind " + full_name(command);
   std::vector<std::string> names;
-  for (const CLI::Option* option : command->get_options()) names.push_back(option->get_name());
-  const std::vector<std::string_view> words(names.begin(), names.end());
-  for (const std::string& extra : program.remaining(true)) {
-    const std::string_view near = near_word(extra.substr(0, extra.find('=')), words);
-    if (!near.empty()) text += "; did you mean " + std::string(near) + "?";
-  }
-  return text + "; see " + (command == &program ? "impinge" : "impinge " + command->get_name()) + " --help";
+  for (const CLI::Option* one : command.get_options()) names.push_back(one->get_name());
+  const std::string_view near = near_word(name, std::vector<std::string_view>(names.begin(), names.end()));
+  std::string text = name + ": is no option of " + full_name(command);
+  if (!near.empty()) return text + "; did you mean " + std::string(near) + "?";
+  for (const CLI::App* other : program.get_subcommands({}))
+    if (other->get_option_no_throw(name) != nullptr) text += ", but of " + full_name(*other);
+  return text;
+}
+
+// What is wrong with the command line. What says "clearance_mm: " of a request says "--clearance: " here.
+std::string advice(const CLI::App& program, std::string what) {
+  const CLI::App& command = asked(program);
+  const std::string field = what.substr(0, what.find(':'));
+  const std::string option = option_name(field);
+  if (command.get_option_no_throw(option) != nullptr) what.replace(0, field.size(), option);
+  return one_line(what + (what.back() == '?' ? " See " : "; see ") + full_name(command) + " --help");
 }
 
 // An empty text is what a script gives whose variable is not set.
@@ -66,7 +84,8 @@ void refuse_empty_values(CLI::App& program) {
 
 std::function<void()> parse_program(int argc, const char* const* argv, const Screen& screen,
                                     std::span<const AddCommand> more) {
-  CLI::App program{kAbout, "impinge"};
+  const auto kept = std::make_shared<CLI::App>(kAbout, "impinge");
+  CLI::App& program = *kept;
   program.footer(kFooter);
   program.require_subcommand(0, 1);
   program.set_version_flag("--version", std::string("impinge ") + kVersion + " (commit " + commit() + ")");
@@ -77,18 +96,29 @@ std::function<void()> parse_program(int argc, const char* const* argv, const Scr
   for (const AddCommand add : more) add(program, screen, work);
   refuse_empty_values(program);
   try {
-    require_command(command_word(argc, argv), program);
+    if (argc > 1 && argv[1][0] != '-') require_command(argv[1], program);
     program.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help, --version
     program.exit(asked, screen.out, screen.log);
     return [] {};
+  } catch (const CLI::ExtrasError&) {
+    throw CommandError(advice(program, unexpected(program)));
   } catch (const CLI::ParseError& error) {
-    throw CommandError(one_line(advice(program, error)));
-  } catch (const std::exception& error) {
-    throw CommandError(one_line(error.what()));
+    throw CommandError(advice(program, error.what()));
+  } catch (const std::invalid_argument& error) {
+    throw CommandError(advice(program, error.what()));
   }
-  if (!work) screen.out << program.help();
-  return work;
+  if (!work) {
+    screen.out << program.help();
+    return work;
+  }
+  return [kept, work] {
+    try {
+      work();
+    } catch (const std::invalid_argument& error) {
+      throw CommandError(advice(*kept, error.what()));
+    }
+  };
 }
 
 int run_program(int argc, const char* const* argv, std::ostream& out, std::ostream& log,

@@ -69,6 +69,8 @@ struct QuestionCommand {
   std::string text;                              // of its help, one sentence
   std::string example;                           // what follows "impinge NAME"
   std::function<void(CLI::App&)> add_options{};  // of the request
+  std::vector<const char*> without{};            // options of the joint that it does not take
+  bool takes_map = false;                        // of the thickness of cartilage
   std::function<void(double cartilage_mm)> use_cartilage{};
   std::function<ScanContactOptions()> scan_contact{};  // what of the pose of the scan is worth a warning
   std::function<void()> check{};    // std::invalid_argument where what is asked does not go together

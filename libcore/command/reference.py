@@ -91,7 +91,7 @@ def lists(program):
     for command in QUESTIONS:
         schema = json.loads(said(program, command, "--schema"))
         groups = options(said(program, command, "--help"))
-        common = table(OPTIONS, groups["Positionals"] + groups["The joint"] + groups["The answer"])
+        common = common or table(OPTIONS, groups["Positionals"] + groups["The joint"] + groups["The answer"])
         joint = schema["properties"]["joint"]
         text += f"### `impinge {command}`\n\n{schema['description']}\n\n"
         if "The question" in groups:

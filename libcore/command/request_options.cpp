@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "files/finite_number.hpp"
 #include "joint/document.hpp"
@@ -25,13 +26,17 @@ std::string type_name(std::string_view unit) {
   return name;
 }
 
-CLI::Validator in_range(const Range& range) {
+CLI::Validator in_range(const Range& range, bool whole) {
   return CLI::Validator(
-      [range](const std::string& text) -> std::string {
+      [range, whole](const std::string& text) -> std::string {
         const std::optional<double> value = finite_number(text);
-        if (value && range.has(*value)) return "";
-        return "'" + text + "' is " + (value ? "out of range" : "no number") + "; give one that is " +
-               describe(range);
+        const bool part = whole && value && *value != std::floor(*value);
+        if (value && !part && range.has(*value)) return "";
+        return "'" + text + "' is " +
+               (part    ? "no whole number"
+                : value ? "out of range"
+                        : "no number") +
+               "; give one that is " + describe(range);
       },
       "");
 }

@@ -24,8 +24,8 @@ namespace impinge {
 std::string option_name(std::string_view field);
 /// "MM" of "mm"; "NUMBER" without a unit.
 std::string type_name(std::string_view unit);
-/// Of numbers.
-CLI::Validator in_range(const Range& range);
+/// Of numbers, or of whole ones alone.
+CLI::Validator in_range(const Range& range, bool whole = false);
 /// "flexion=90,internal_rotation=10", for an option; CLI::ValidationError.
 Motion motion_option(const std::string& option, const std::string& text);
 /// Three numbers as X,Y,Z, in the same way.
@@ -36,11 +36,6 @@ std::string words_text(const char* between) {
   std::string text;
   for (const std::string_view word : words_of<E>) text += (text.empty() ? "" : between) + std::string(word);
   return text;
-}
-
-template <InWords E>
-CLI::Validator word_check() {
-  return CLI::IsMember(std::vector<std::string>(words_of<E>.begin(), words_of<E>.end())).description("");
 }
 
 template <class Owner, class Value>
@@ -56,11 +51,10 @@ void add_field(CLI::App& command, const Field<Owner, Value>& field, Owner& reque
     option = command
                  .add_option_function<std::string>(
                      name,
-                     [&value](const std::string& word) {
-                       value = static_cast<Value>(place_among(word, words_of<Value>, ""));
+                     [&value, name](const std::string& word) {
+                       value = static_cast<Value>(place_among(word, words_of<Value>, name));
                      },
                      text)
-                 ->check(word_check<Value>())
                  ->type_name(words_text<Value>("|"));
   } else if constexpr (std::same_as<Value, Motion> || std::same_as<Value, std::optional<Motion>>) {
     option = command.add_option_function<std::string>(
@@ -83,16 +77,13 @@ void add_field(CLI::App& command, const Field<Owner, Value>& field, Owner& reque
     using Word = typename Value::value_type;
     option = command.add_option_function<std::vector<std::string>>(
         name,
-        [&value](const std::vector<std::string>& given) {
+        [&value, name](const std::vector<std::string>& given) {
           value.clear();  // of what is there without it
           for (const std::string& word : given)
-            value.push_back(static_cast<Word>(place_among(word, words_of<Word>, "")));
+            value.push_back(static_cast<Word>(place_among(word, words_of<Word>, name)));
         },
         text);
-    option->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name(words_text<Word>(","))
-        ->check(word_check<Word>());
+    option->delimiter(',')->allow_extra_args(false)->type_name(words_text<Word>(","));
   } else if constexpr (std::same_as<Value, std::vector<std::string>>) {
     option =
         command.add_option(name, value, text)->delimiter(',')->allow_extra_args(false)->type_name("NAME,...");

@@ -33,7 +33,7 @@ double parse_angle(std::string_view name, std::string_view text) {
 
 void require_side(const Motion& motion, std::optional<Side> side) {
   if (side || (motion.abduction == 0.0 && motion.internal_rotation == 0.0)) return;
-  throw std::invalid_argument("abduction and rotation need to know the side; give left or right");
+  throw std::invalid_argument("side: abduction and rotation need to know it; give left or right");
 }
 
 using Turn = Eigen::AngleAxisd;
@@ -111,7 +111,7 @@ JointTurn joint_turn(const Motion& start, const MotionName& growing, std::option
 double largest_growth(const Motion& start, const MotionName& growing) {
   const double left = kLargestAngle - growing.sign * start.*growing.angle;
   if (left > 0.0) return left;
-  throw std::invalid_argument("the pose leaves no room for " + std::string(growing.name) +
+  throw std::invalid_argument("pose: it leaves no room for " + std::string(growing.name) +
                               " within 180 degrees; begin with a smaller angle");
 }
 

@@ -89,7 +89,7 @@ void read_json(const Json& given, std::string_view name, const Range& range, Vec
 }
 
 void read_json(const Json& given, std::string_view name, const Range& /*range*/, Motion& value) {
-  try {
+  in_field(name, [&] {
     if (given.is_string()) {
       value = parse_motion(given.get<std::string>());
       return;
@@ -109,9 +109,7 @@ void read_json(const Json& given, std::string_view name, const Range& /*range*/,
       if (!(std::abs(angle) <= kLargestAngle))
         throw std::invalid_argument("an angle is not within 180 degrees of 0");
     value = {angles[0], angles[1], angles[2]};
-  } catch (const std::invalid_argument& error) {
-    refuse(name, error.what());
-  }
+  });
 }
 
 void read_json(const Json& given, std::string_view name, const Range& range, std::vector<Motion>& values) {

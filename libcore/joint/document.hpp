@@ -144,6 +144,16 @@ void read_json(const Json& given, std::string_view name, const Range& range, std
     read_json(item, name, range, values.emplace_back());
 }
 
+/// Does it, and names the field in what it refuses (std::invalid_argument).
+template <class Do>
+void in_field(std::string_view name, const Do& use) {
+  try {
+    use();
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(std::string(name) + ": " + error.what());
+  }
+}
+
 /// Sets what is given of a request, an object; what is not keeps its value.
 template <Described Request>
 void read_request(const Json& given, Request& request) {

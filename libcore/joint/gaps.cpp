@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "hip/gap_levels.hpp"
+#include "joint/document.hpp"
 #include "sphere/scheme_choice.hpp"
 
 namespace impinge {
@@ -151,13 +152,15 @@ void GapsRequest::check() const {
   const PoseQuestion asked = question_of(*this);
   if (asked.by_tables() && max_error_mm)
     throw std::invalid_argument(
-        "max_error is of gaps of the faces, and a scheme or precision asks for tables: leave one out");
+        "max_error_mm: is of gaps of the faces, and a scheme or precision asks for tables; leave one out");
   const PoseOutputs& compared = asked.outputs;
   if (surfaces != Scanned::both && (compared.bounds || compared.distances || compared.verdicts))
     throw std::invalid_argument(
-        "surfaces: one alone has neither bounds, distances nor verdicts; ask for the output gaps alone");
+        "surfaces: one alone has neither bounds, distances nor verdicts; ask for the outputs gaps alone");
+  if (scheme) in_field("scheme", [&] { with_scheme(*scheme, []<class S>() {}); });
   if (asked.by_tables())
-    with_scheme(asked.scheme, [&]<class S>() { S::with_precision(*asked.precision_deg); });
+    in_field("precision_deg",
+             [&] { with_scheme(asked.scheme, [&]<class S>() { S::with_precision(*asked.precision_deg); }); });
 }
 
 GapsAnswer answer(Session& session, const GapsRequest& request) {

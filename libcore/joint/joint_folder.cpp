@@ -80,7 +80,9 @@ void read_key(const std::string& key, const Json& value, const fs::path& folder,
   } else if (key == "cartilage_mm") {
     read_json(value, key, kNotNegative, said.cartilage_mm);
   } else if (key == "landmarks") {
-    said.landmarks = files_of(value, key, folder).front();
+    const std::vector<fs::path> files = files_of(value, key, folder);
+    if (files.size() != 1) throw std::invalid_argument("landmarks: are one file; name it");
+    said.landmarks = files.front();
   } else if (key == "ball_part") {
     said.ball_parts = files_of(value, key, folder);
   } else if (key == "socket_part") {

@@ -12,6 +12,7 @@
 
 #include "files/formatted.hpp"
 #include "hip/named_motion.hpp"
+#include "joint/document.hpp"
 #include "mesh/mesh_parts.hpp"
 
 namespace impinge {
@@ -186,11 +187,11 @@ std::string what_of(const LimitAnswer& answer) {
 }
 
 void LimitsRequest::check() const {
-  for (const std::string& name : motions) {
-    const NamedMotion& motion = named_motion(name);
-    if (pose && !is_rest(motion.start))
-      throw std::invalid_argument("motions: " + name + " begins at a pose of its own; leave the pose out");
-  }
+  in_field("motions", [this] {
+    for (const std::string& name : motions)
+      if (!is_rest(named_motion(name).start) && pose)
+        throw std::invalid_argument(name + " begins at a pose of its own; leave the pose out");
+  });
 }
 
 std::vector<LimitDocument> documents_of(const SessionJoint& joint, std::string_view motion,

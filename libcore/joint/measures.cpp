@@ -37,7 +37,7 @@ MeasureAnswer answer(Session& session, const MeasureRequest& /*request*/) {
 }
 
 std::vector<MeasureRow> answer_measures(const SessionJoint& joint) {
-  if (!joint.side) throw std::invalid_argument("measures need to know the side; give left or right");
+  if (!joint.side) throw std::invalid_argument("side: measures need to know it; give left or right");
   const auto& [ball, socket] = std::tie(joint.joint.ball, joint.joint.socket);
   std::vector<MeasureRow> rows;
   for (const Measure& measure : measure_hip({in_joint_frame(joint, whole_main(ball.mesh, ball.parts)),

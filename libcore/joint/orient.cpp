@@ -25,7 +25,7 @@ bool holds(const OrientationCell& cell, const CupAngles& angles) {
 OrientAnswer answer(Session& session, const OrientRequest& request) {
   request.check();
   const SessionJoint& joint = *session.joint;
-  if (!joint.side) throw std::invalid_argument("an orientation needs to know the side; give left or right");
+  if (!joint.side) throw std::invalid_argument("side: an orientation needs to know it; give left or right");
   OrientationQuestion question{.legs = required_legs(request.require, joint.side),
                                .side = *joint.side,
                                .at_rest = {},

@@ -6,6 +6,7 @@
 
 #include "files/file_error.hpp"
 #include "hip/pose_travel.hpp"
+#include "joint/document.hpp"
 #include "joint/pose_answer.hpp"
 
 namespace impinge {
@@ -20,15 +21,15 @@ bool asks(const PosesRequest& request, PosesOutput output) {
 void PosesRequest::check() const {
   if (poses.has_value() == path.has_value())
     throw std::invalid_argument(
-        "poses are asked for by a file or by a path of angles: give one of --poses and --path");
-  if (path) parse_pose_grid(*path);
+        "poses: they are asked for by a file, or by a path of angles; give one of poses and path");
+  if (path) in_field("path", [&] { parse_pose_grid(*path); });
 }
 
 PoseList list_of(const PosesRequest& request, const SessionJoint& joint) {
   if (request.path) {
     PoseList grid = parse_pose_grid(*request.path);
     if (grid.needs_side() && !joint.side)
-      throw std::invalid_argument("path: abduction and rotation need to know the side; give left or right");
+      throw std::invalid_argument("side: abduction and rotation need to know it; give left or right");
     return grid;
   }
   const std::filesystem::path& file = request.poses.value();

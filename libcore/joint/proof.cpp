@@ -7,6 +7,7 @@
 #include <string>
 
 #include "files/formatted.hpp"
+#include "joint/document.hpp"
 
 namespace impinge {
 namespace {
@@ -84,16 +85,16 @@ ClearanceProof answer_proof(Session& session, const LimitRequest& request) {
 }
 
 void CertifyRequest::check() const {
-  if (motion) motion_name(*motion);
+  if (motion) in_field("motion", [this] { motion_name(*motion); });
 }
 
 CertifyAnswer answer(Session& session, const CertifyRequest& request) {
   const Joint& joint = session.joint->joint;
   if (joint.frames)
     throw std::invalid_argument(
-        "a certificate is about the meshes as they lie in their files; leave the landmarks out");
+        "landmarks: a certificate is about the meshes as they lie in their files; leave them out");
   if (joint.overlap_mm > 0.0)
-    throw std::invalid_argument("a certificate is about the meshes as they are; leave the overlap out");
+    throw std::invalid_argument("overlap_mm: a certificate is about the meshes as they are; leave it out");
   const Motion pose = request.pose.value_or(Motion());
   try {
     const ClearanceProof proof =

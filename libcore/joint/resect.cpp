@@ -274,7 +274,7 @@ void ResectRequest::check() const {
   if (!of_ball && neck_mm)
     throw std::invalid_argument("neck_mm: is of a cut of the ball; cut the ball, or leave it out");
   if (!of_ball && least)
-    throw std::invalid_argument("the least cut of all is one of the ball; cut the ball, or leave it out");
+    throw std::invalid_argument("least: is of a cut of the ball; cut the ball, or leave it out");
 }
 
 ResectAnswer answer(Session& session, const ResectRequest& request) {

@@ -39,16 +39,18 @@ void expect_refused(const std::string& line, int code, const std::string& said) 
 
 TEST(Program, RefusesWrongCommandsAndOptions) {
   expect_refused("gasp a.ply b.ply", 2, "impinge: there is no 'gasp'; did you mean gaps? There are gaps, ");
-  expect_refused("gaps a.ply b.ply --precison 1", 2, "; did you mean --precision?; see impinge gaps --help");
+  expect_refused(
+      "gaps a.ply b.ply --precison 1", 2,
+      "--precison: is no option of impinge gaps; did you mean --precision? See impinge gaps --help");
   expect_refused("gaps a.ply b.ply --precision fine", 2,
                  "--precision: 'fine' is no number; give one that is above 0");
   expect_refused("gaps a.ply b.ply --precision ''", 2,
                  "--precision: is empty; give it a value or leave it out");
   expect_refused("gaps '' b.ply", 2, "BALL: is empty; give it a value or leave it out");
-  expect_refused("gaps a.ply b.ply --surfaces ball", 2, "surfaces: one alone has neither bounds");
-  expect_refused("limits a.ply b.ply --motions bend", 2, "bend");
+  expect_refused("gaps a.ply b.ply --surfaces ball", 2, "--surfaces: one alone has neither bounds");
+  expect_refused("limits a.ply b.ply --motions bend", 2, "--motions: unknown motion 'bend'");
   expect_refused("gaps", 2, "two meshes are needed, BALL and SOCKET; see impinge gaps --help");
-  expect_refused("gaps a.ply b.ply stray", 2, "stray");
+  expect_refused("gaps a.ply b.ply stray", 2, "was not expected; see impinge gaps --help");
   const test::Ran nothing = test::run("");
   EXPECT_EQ(nothing.code, 2);
   for (const std::string& question : kQuestions) EXPECT_TRUE(has(nothing.out, "  " + question)) << question;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mesh files that cannot be used: name, bytes, and what is said behind "scene: error: FOLDER/NAME: "."""
+"""Mesh files that cannot be used: name, bytes, and what is said behind "impinge: error: FOLDER/NAME: "."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A joint for tests of `scene`, and a folder for what they make. MAKE_PAIR names the program."""
+"""A joint for tests of the program `impinge`, and a folder for what they make. IMPINGE names the program."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ import subprocess
 import tempfile
 import unittest
 from pathlib import Path
+
+IMPINGE = os.environ["IMPINGE"]
 
 
 def run(*words, **keywords) -> subprocess.CompletedProcess:
@@ -21,10 +23,10 @@ class GeneratedPair(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory(prefix="impinge-scene-")
+        cls.folder = tempfile.TemporaryDirectory(prefix="impinge-pair-")
         cls.root = Path(cls.folder.name)
         pair = cls.root / "pair"
-        made = run(os.environ["MAKE_PAIR"], "--faces", "1000", "--out", pair)
+        made = run(IMPINGE, "hip", "pair", "--faces", "1000", "--out", pair)
         assert made.returncode == 0, made.stderr
         cls.ball = pair / "ball.ply"
         cls.socket = pair / "socket.ply"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// joint3d_bones.cjs PAGE: gives Joint3D meshes by dialog and by drop, and holds its numbers against those of `scene`.
-// Environment: SCENE and MAKE_PAIR, the programs; IMPINGE_BONES, where it is set, a folder of real joints.
+// joint3d_bones.cjs PAGE: gives Joint3D meshes by dialog and by drop, and holds its numbers against those of `impinge`.
+// Environment: IMPINGE, the program; IMPINGE_BONES, where it is set, a folder of real joints.
 "use strict";
 const { execFileSync } = require("node:child_process");
 const fs = require("node:fs");
@@ -9,14 +9,12 @@ const { FOLDER, assert, choose, madePair, message, open, posed, run, smallest, t
 
 const SIZE = [1000, 640];
 
-const TABLES = "#scheme=rsid&precision=0.5&storage=double"; // those of `scene`
+const TABLES = "#scheme=rsid&precision=0.5&storage=double"; // those of `impinge`
 
-/** What `scene` says of the joint in flexion, of such tables. */
-function sceneSays({ ball, socket, side, axes }) {
-  const out = path.join(FOLDER, "scene");
-  execFileSync(process.env.SCENE, ["--ball", ball, "--socket", socket, "--side", side, "--axes", axes, "--pose", "flexion=90",
-    "--scheme", "rsid", "--precision", "0.5", "--outputs", "gaps", "--out", out], { stdio: "pipe" });
-  return JSON.parse(fs.readFileSync(path.join(out, "summary.json")));
+/** What `impinge` says of the joint in flexion, of such tables. */
+function programSays({ ball, socket, side, axes }) {
+  return JSON.parse(execFileSync(process.env.IMPINGE, ["gaps", ball, socket, "--side", side, "--axes", axes, "--pose", "flexion=90",
+    "--scheme", "rsid", "--precision", "0.5", "--outputs", "gaps", "--json"], { stdio: "pipe", maxBuffer: 1 << 26 }));
 }
 
 /** Files into the page by dropping them on the page. */
@@ -29,16 +27,15 @@ async function drop(page, files) {
   }, contents);
 }
 
-async function holdAgainstScene(page, joint) {
+async function holdAgainstProgram(page, joint) {
   await type(page, "flexion", 90);
-  const said = sceneSays(joint);
-  const gap = said.smallest_gap.gap_mm;
-  assert.ok(Math.abs(await smallest(page) - gap) <= 0.005 + 1e-6, `${joint.ball}: ${await smallest(page)} in the page, ${gap} by scene`);
-  assert.match(await text(page, "smallest-where"), new RegExp(said.smallest_gap.surface));
-  if (said.smallest_gap.clock) assert.ok((await text(page, "smallest-where")).includes(said.smallest_gap.clock), said.smallest_gap.clock);
-  const { x, y, z } = said.centre;
+  const { joint: { centre: { position } }, answer: { smallest_gap: found } } = programSays(joint);
+  const gap = found.gap_mm;
+  assert.ok(Math.abs(await smallest(page) - gap) <= 0.005 + 1e-6, `${joint.ball}: ${await smallest(page)} in the page, ${gap} by the program`);
+  assert.match(await text(page, "smallest-where"), new RegExp(found.surface));
+  if (found.clock) assert.ok((await text(page, "smallest-where")).includes(found.clock), found.clock);
   const centre = (await text(page, "centre-say")).match(/-?[\d.]+(?=[, ])/g).slice(0, 3).map(Number);
-  [x, y, z].forEach((value, k) => assert.ok(Math.abs(value - centre[k]) < 0.006, `centre ${centre}, by scene ${[x, y, z]}`));
+  position.forEach((value, k) => assert.ok(Math.abs(value - centre[k]) < 0.006, `centre ${centre}, by the program ${position}`));
 }
 
 async function ownMeshes(browser) {
@@ -46,7 +43,7 @@ async function ownMeshes(browser) {
   const pair = { ...madePair("cam"), side: "right", axes: "RAS" };
   await choose(page, pair);
   assert.match(await text(page, "joint-name"), /ball.ply and socket.ply, right/);
-  await holdAgainstScene(page, pair);
+  await holdAgainstProgram(page, pair);
   await page.check("#centre-typed");
   await page.fill("#centre", "0, 0, 0.5");
   await posed(page, () => page.click("#use-files"));
@@ -119,7 +116,7 @@ async function realJoints(browser) {
     await page.fill("#axes", joint.axes);
     await posed(page, () => drop(page, [joint.ball, joint.socket]));
     assert.match(await text(page, "joint-name"), /femoral_head.ply and acetabulum_facing.ply/);
-    await holdAgainstScene(page, joint);
+    await holdAgainstProgram(page, joint);
   }
   assert.deepEqual(faults, []);
   await close();

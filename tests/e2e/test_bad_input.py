@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every bad input that we could think of, given to `scene`, each with the whole message that must come.
+"""Every bad input that we could think of, given to `impinge`, each with the whole message that must come.
 
 A refusal is exit code 1 (a file) or 2 (an option), one line on stderr, nothing on stdout, and no output file,
-or an older set of five that stays as it was. SCENE and MAKE_PAIR name the two programs.
+or an older set of five that stays as it was. IMPINGE names the program.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from bad_meshes import MESHES  # noqa: E402
 from bad_options import OPTIONS  # noqa: E402
-from generated_pair import GeneratedPair, run  # noqa: E402
+from generated_pair import IMPINGE, GeneratedPair, run  # noqa: E402
 
 FIVE = ["ball.ply", "socket.ply", "gaps.csv", "distances.csv", "summary.json"]  # in the order of writing
 NOBODY = 65534
@@ -55,22 +55,15 @@ class BadInput(GeneratedPair):
     def setUpClass(cls):
         super().setUpClass()
         cls.root.chmod(0o755)  # for a child that is nobody
-        cls.program = cls.root / "scene"
-        shutil.copy(os.environ["SCENE"], cls.program)
+        cls.program = cls.root / "impinge"
+        shutil.copy(IMPINGE, cls.program)
 
-    def scene(self, *more, ball=None, socket=None, out=None, **keywords) -> subprocess.CompletedProcess:
-        files = (
-            "--ball",
-            ball or self.ball,
-            "--socket",
-            socket or self.socket,
-            "--out",
-            out or self.root / "out",
-        )
-        return run(self.program, *files, "--precision", 5, *more, **keywords)
+    def gaps(self, *more, ball=None, socket=None, out=None, **keywords) -> subprocess.CompletedProcess:
+        files = ball or self.ball, socket or self.socket, "--out", out or self.root / "out"
+        return run(self.program, "gaps", *files, "--precision", 5, *more, **keywords)
 
     def refused(self, done: subprocess.CompletedProcess, code: int, message: str):
-        self.assertEqual(done.stderr, f"scene: error: {message}\n")
+        self.assertEqual(done.stderr, f"impinge: error: {message}\n")
         self.assertEqual((done.returncode, done.stdout), (code, ""))
         out = self.root / "out"
         self.assertFalse(out.is_dir() and any(out.iterdir()), "there is output")
@@ -83,7 +76,7 @@ class BadInput(GeneratedPair):
             path.write_bytes(content)
             for part in ("ball", "socket"):
                 with self.subTest(name, part=part):
-                    self.refused(self.scene(**{part: path}), 1, f"{path}: {message}")
+                    self.refused(self.gaps(**{part: path}), 1, f"{path}: {message}")
             path.unlink()
 
     def test_parts(self):
@@ -91,43 +84,68 @@ class BadInput(GeneratedPair):
         name, content, message = MESHES[0]
         bad = self.root / name
         bad.write_bytes(content)
-        for option in ("--ball-part", "--socket-part"):
+        for option, mesh in (("--ball-part", self.ball), ("--socket-part", self.socket)):
             with self.subTest(option):
-                self.refused(self.scene(option, self.ball, bad), 1, f"{bad}: {message}")
+                self.refused(self.gaps(option, self.ball, option, bad), 1, f"{bad}: {message}")
                 none = self.root / "none.ply"
-                self.refused(self.scene(option, none), 1, f"{none}: there is no such file; check the path")
+                self.refused(self.gaps(option, none), 1, f"{none}: there is no such file; check the path")
                 part = self.root / "taken" / "ball.ply"
                 part.parent.mkdir()
-                shutil.copy(self.ball, part)
+                shutil.copy(mesh, part)
                 cure = "would be replaced by the output; choose another folder with --out"
-                self.refused(self.scene(option, part, out=part.parent), 1, f"{part}: {cure}")
+                self.refused(self.gaps(option, part, out=part.parent), 1, f"{part}: {cure}")
                 shutil.rmtree(part.parent)
         bad.unlink()
 
     def test_options(self):
-        """Behind the files, without a precision before them."""
-        files = ("--ball", self.ball, "--socket", self.socket, "--out", self.root / "out")
-        for words, message in OPTIONS:
-            with self.subTest(words):
-                self.refused(run(self.program, *files, *words), 2, message.replace("{schemes}", SCHEMES))
+        """Behind the command and its files."""
+        for (command, *words), message in OPTIONS:
+            files = () if command == "hip" else (self.ball, self.socket)
+            with self.subTest([command, *words]):
+                done = run(self.program, command, *files, "--out", self.root / "out", *words)
+                self.refused(done, 2, message.replace("{schemes}", SCHEMES))
 
-    def test_options_that_are_missing(self):
-        """Named one after the other; and empty ones, as a script types them whose variable is not set."""
-        files = {"--ball": self.ball, "--socket": self.socket, "--out": self.root / "out"}
+    def test_words_that_are_missing_or_wrong(self):
+        """A command, a mesh; and an empty one, as a script types it whose variable is not set."""
+        commands = "there are gaps, touch, poses, limits, volume, resect, orient, measure, certify, check, hip, cohort; see impinge --help"
+        see = "; see impinge touch --help"
+        meshes = "two meshes are needed, BALL and SOCKET"
         for words, message in [
-            ([], "--ball is required; see scene --help"),
-            (["--ball", self.ball], "--socket is required; see scene --help"),
-            (["--ball", self.ball, "--socket", self.socket], "--out is required; see scene --help"),
-            *(
-                (
-                    [word for other in files for word in (other, "" if other == name else files[other])],
-                    f"option {name}: '' is empty; give it a value or leave it out",
-                )
-                for name in files
-            ),
+            (["scene"], f"impinge: there is no 'scene'; {commands}"),
+            (["limt", self.ball], f"impinge: there is no 'limt'; did you mean limits? T{commands[1:]}"),
+            (["--quiet", "touch"], "--quiet: give it behind impinge touch" + see),
+            (["touch"], meshes + see),
+            (["touch", self.ball], meshes + see),
+            (["touch", "", self.socket], "BALL: is empty; give it a value or leave it out" + see),
+            (["touch", self.ball, self.socket, "--out", ""], "--out: is empty; give it a value or leave it out" + see),
+            (["touch", "--joints", "."], "--joints requires --out" + see),
         ]:
             with self.subTest(words):
                 self.refused(run(self.program, *words), 2, message)
+
+    def test_files_that_say_something_of_the_joint(self):
+        """Descriptions, landmarks, poses and thicknesses: each with its name, and what is wrong in it."""
+        none = self.root / "none.json"
+        missing = "there is no such file; check the path"
+        for option, text, message in [
+            ("--config", "[]", "is no JSON object; write one, as {\"side\": \"left\"}"),
+            ("--config", '{"sid": "left"}', "sid: is no key; did you mean side?"),
+            ("--config", '{"side": "up"}', "side: there is no 'up'; there are left, right"),
+            ("--config", '{"landmarks": []}', "landmarks: are one file; name it"),
+            ("--landmarks", "label,x,y,z\n", "the landmark asis_right is missing; mark it"),
+            ("--cartilage", "x,y,z,thickness_mm\n", "holds no point; give a CSV with the header x,y,z,thickness_mm and four numbers a line, in mm"),
+        ]:
+            with self.subTest(option, text=text):
+                file = self.root / "said.csv"
+                file.write_text(text)
+                self.refused(self.gaps(option, file), 1, f"{file}: {message}")
+                if option != "--cartilage":
+                    self.refused(self.gaps(option, none), 1, f"{none}: {missing}")
+        poses = self.root / "two.csv"
+        poses.write_text("flexion,abduction\n0,0\n0,10\n")
+        for file, message in ((none, missing), (poses, "has angles that turn opposite ways on the two sides; say which with --side left or right")):
+            done = run(self.program, "poses", self.ball, self.socket, "--poses", file, "--out", self.root / "out")
+            self.refused(done, 1, f"{file}: {message}")
 
     def test_places_without_a_mesh(self):
         """What the name of a mesh may lead to."""
@@ -158,7 +176,7 @@ class BadInput(GeneratedPair):
         ]:
             for part in ("ball", "socket"):
                 with self.subTest(name[:20], part=part):
-                    self.refused(self.scene(**{part: root / name}), 1, f"{root / name}: {message}")
+                    self.refused(self.gaps(**{part: root / name}), 1, f"{root / name}: {message}")
 
     def as_nobody(self) -> dict:
         """Root may do everything: its child becomes somebody else."""
@@ -176,33 +194,29 @@ class BadInput(GeneratedPair):
         (root / "shut").chmod(0)
         (root / "kept").chmod(0o555)
         try:
-            for keywords, code, message in [
+            for keywords, message in [
                 (
                     {"ball": root / "files" / "a.ply"},
-                    1,
                     f"{root}/files/a.ply: cannot be opened, Permission denied; check its permissions",
                 ),
                 (
                     {"socket": root / "shut" / "a.ply"},
-                    1,
                     f"{root}/shut/a.ply: cannot be looked up, Permission denied; check the path",
                 ),
                 (
                     {"out": root / "kept"},
-                    2,
                     f"{root}/kept/probe: cannot be written, Permission denied; "
                     "check that its folder exists, may be written to and has room",
                 ),
                 (
                     {"out": root / "kept" / "new"},
-                    2,
                     f"{root}/kept/new: {created}, Permission denied; choose another folder",
                 ),
             ]:
                 with self.subTest(message):
                     (self.root / "out").mkdir(exist_ok=True)
                     (self.root / "out").chmod(0o777)
-                    self.refused(self.scene(**keywords, **self.as_nobody()), code, message)
+                    self.refused(self.gaps(**keywords, **self.as_nobody()), 1, message)
         finally:
             (root / "shut").chmod(0o700)
 
@@ -213,31 +227,16 @@ class BadInput(GeneratedPair):
         loop.symlink_to(loop)
         taken = self.root / "taken"
         (taken / "summary.json").mkdir(parents=True)
-        for out, code, message in [
-            (
-                self.ball,
-                2,
-                f"{self.ball}: {created}, Not a directory; choose another folder",
-            ),
-            (
-                self.ball / "o",
-                2,
-                f"{self.ball}/o: {created}, Not a directory; choose another folder",
-            ),
-            (
-                loop,
-                2,
-                f"{loop}: {created}, Too many levels of symbolic links; choose another folder",
-            ),
-            (taken, 1, f"{taken}/summary.json: is a folder; choose another name"),
-            (
-                self.ball.parent,
-                1,
-                f"{self.ball}: would be replaced by the output; choose another folder with --out",
-            ),
+        for out, message in [
+            (self.ball, f"{created}, Not a directory; choose another folder"),
+            (self.ball / "o", f"{created}, Not a directory; choose another folder"),
+            (loop, f"{created}, Too many levels of symbolic links; choose another folder"),
+            (taken, "is a folder; choose another name"),
+            (self.ball.parent, "would be replaced by the output; choose another folder with --out"),
         ]:
             with self.subTest(out):
-                self.refused(self.scene(out=out), code, message)
+                at = {taken: taken / "summary.json", self.ball.parent: self.ball}.get(out, out)
+                self.refused(self.gaps(out=out), 1, f"{at}: {message}")
         self.assertEqual([path.name for path in taken.iterdir()], ["summary.json"])
         self.assertEqual(sorted(path.name for path in self.ball.parent.iterdir()), ["ball.ply", "socket.ply"])
 
@@ -262,7 +261,7 @@ class BadInput(GeneratedPair):
             (root / f"{name}.off").write_text(f"OFF\n3 1 0\n{corners}3 0 1 2\n")
         advice = "check that both meshes are in mm and in one frame"
         apart = "mm from the centre of rotation, and the ball {}; " + advice
-        same = "is the mesh of the ball and of the socket; check the files of --ball and --socket"
+        same = "is the mesh of the ball and of the socket; check BALL and SOCKET"
         points = "a sphere is fitted to at least four points; give the centre with --centre X,Y,Z"
         for keywords, message in [
             (
@@ -290,7 +289,7 @@ class BadInput(GeneratedPair):
             ({"socket": root / "again.ply"}, f"{root}/again.ply: {same}"),
         ]:
             with self.subTest(message):
-                self.refused(self.scene(**keywords), 1, message)
+                self.refused(self.gaps(**keywords), 1, message)
         nowhere = "no direction from the centre 0.000,0.000,0.000 meets the socket; check that both meshes are in one frame and in mm"
         outside = "fills only 0 % of the view from the centre {}; give a centre inside with --centre X,Y,Z, or check that the files are not swapped and in mm"
         for centre, keywords, message in [
@@ -300,7 +299,7 @@ class BadInput(GeneratedPair):
             ("0,0,0", {"ball": root / "flat.off"}, f"{root}/flat.off: " + outside.format("0.000,0.000,0.000, and no sphere fits it")),
         ]:
             with self.subTest(message):
-                self.refused(self.scene("--centre", centre, **keywords), 1, message)
+                self.refused(self.gaps("--centre", centre, **keywords), 1, message)
 
     def test_two_meshes_in_another_unit_get_a_warning(self):
         """Nothing is wrong with them but their size."""
@@ -312,14 +311,14 @@ class BadInput(GeneratedPair):
                     )
                 out = self.root / f"in_{unit}"
                 both = {name: self.root / f"{name}_in_{unit}.ply" for name in ("ball", "socket")}
-                done = self.scene(**both, out=out)
+                done = self.gaps(**both, out=out)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 warning = (
                     f"{both['ball']}: has a radius of {radius} mm, and a human joint 5 to 50; "
                     "lengths are read as mm, scale both meshes if theirs are in another unit"
                 )
-                self.assertEqual(done.stderr, f"scene: warning: {warning}\n")
-                self.assertEqual(json.loads((out / "summary.json").read_text())["warnings"], [warning])
+                self.assertEqual(done.stderr, f"impinge: warning: {warning}\n")
+                self.assertEqual(json.loads((out / "summary.json").read_text())["joint"]["warnings"], [warning])
 
     def test_names_of_any_bytes(self):
         """A name that is no UTF-8, or has a line end, is a name; the summary is UTF-8 all the same."""
@@ -328,18 +327,18 @@ class BadInput(GeneratedPair):
                 path = os.fsencode(self.root) + b"/" + name
                 shutil.copy(self.ball, path)
                 out = self.root / "names"
-                done = self.scene(ball=path, out=out)
+                done = self.gaps(ball=path, out=out)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 self.assertTrue(
-                    json.loads((out / "summary.json").read_text())["ball"]["file"].endswith(".ply")
+                    json.loads((out / "summary.json").read_text())["joint"]["ball"]["mesh"].endswith(".ply")
                 )
                 os.truncate(path, 100)
-                refusal = self.scene(ball=path)
+                refusal = self.gaps(ball=path)
                 self.assertEqual((refusal.returncode, refusal.stderr.count("\n")), (1, 1))
 
     def older_set(self, out: Path, *options) -> dict[str, str]:
         """A complete run before the one that fails."""
-        done = self.scene(*options, out=out)
+        done = self.gaps(*options, out=out)
         self.assertEqual(done.returncode, 0, done.stderr)
         files = bytes_of(out)
         self.assertEqual(sorted(files), sorted(FIVE))
@@ -363,12 +362,12 @@ class BadInput(GeneratedPair):
             met.add(name)
             for place in (out, self.root / "out"):  # refused() looks at the second, which is empty
                 with self.subTest(name, size=size, place=place.name):
-                    done = self.scene(out=place, preexec_fn=limited)
+                    done = self.gaps(out=place, preexec_fn=limited)
                     advice = "check that its folder exists, may be written to and has room"
                     self.refused(done, 1, f"{place}/{name}: cannot be written, File too large; {advice}")
                     self.assertEqual(bytes_of(out), older)
         self.assertGreaterEqual(len(met), 2)
-        self.assertEqual(self.scene(out=out).returncode, 0)
+        self.assertEqual(self.gaps(out=out).returncode, 0)
         self.assertNotEqual(bytes_of(out), older)
 
     def sized(self) -> Path:
@@ -399,13 +398,13 @@ class BadInput(GeneratedPair):
             with self.subTest(size=size), self.disk(size) as place:
                 out = place / "out"
                 older = self.older_set(out, "--pose", "flexion=5")
-                done = self.scene(out=out)
+                done = self.gaps(out=out)
                 if done.returncode == 0:
                     self.assertEqual(sorted(bytes_of(out)), sorted(FIVE))
                     self.assertNotEqual(bytes_of(out), older)
                 else:
                     self.assertRegex(
-                        done.stderr, r"\Ascene: error: .*cannot be written, No space left on device; .*\n\Z"
+                        done.stderr, r"\Aimpinge: error: .*cannot be written, No space left on device; .*\n\Z"
                     )
                     self.assertEqual(bytes_of(out), older)
                 ends.add(done.returncode)

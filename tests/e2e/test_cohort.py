@@ -219,7 +219,7 @@ class Cohort(unittest.TestCase):
     def test_bad_options(self):
         study, out = self.study(), self.root / "out"
         for shard in ("0/0", "0/3", "4/3", "one", "1/"):
-            self.refused(2, f"--shard: '{shard}' is no shard; give i/K with i from 1 to K, as 3/12",
+            self.refused(2, f"--shard: '{shard}' is no shard; give i/K with i from 1 to K, as 3/12; see impinge cohort --help",
                          "--study", study, "--shard", shard, "--out", out)
         self.refused(2, "nothing to do: give --study and --out, or --merge; see impinge cohort --help")
         self.refused(2, "--study requires --out; see impinge cohort --help", "--study", study)

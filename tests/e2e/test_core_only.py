@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The core of impinge builds with a compiler, CMake and Eigen alone: a small program that uses it is configured with
-every other package hidden, built and run. SOURCE is the source folder, SCENE the whole program, to compare sizes.
+every other package hidden, built and run. SOURCE is the source folder, IMPINGE the whole program, to compare sizes.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ class CoreOnly(unittest.TestCase):
                 self.assertNotIn(f"lib{library}", needed.lower())
             print(
                 f"stripped: core only {stripped_bytes(program, folder)} bytes (not optimised), "
-                f"scene {stripped_bytes(Path(os.environ['SCENE']), folder)} bytes"
+                f"impinge {stripped_bytes(Path(os.environ['IMPINGE']), folder)} bytes"
             )
 
 

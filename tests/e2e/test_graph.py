@@ -26,7 +26,8 @@ FOLDERS = {
     "by_plain_names": (["ball.ply", "socket.ply"], None),
     "first_names_first": (["humeral_head.ply", "femoral_head.ply", "acetabulum.ply", "glenoid_facing.ply"], None),
     "described": (["ball.ply", "socket.ply"], {**CENTRE, "side": "left", "axes": "+x = patient left, +y = posterior, +z = superior"}),
-    "no_side": (["ball.ply", "socket.ply"], {**CENTRE, "side": "both", "axes": "as scanned"}),
+    "no_side": (["ball.ply", "socket.ply"], {**CENTRE, "side": None, "axes": "as scanned"}),
+    "wrong_side": (["ball.ply", "socket.ply"], {**CENTRE, "side": "both"}),
     "no_socket": (["ball.ply"], None),
     "upper_case": (["ball.PLY", "socket.PLY"], None),
     "no_centre": (["ball.ply", "socket.ply"], {"side": "left"}),
@@ -94,9 +95,9 @@ class Joints(unittest.TestCase):
         self.addCleanup(holder.cleanup)
         self.folder = Path(holder.name)
 
-    def test_the_same_as_scene(self):
+    def test_the_same_as_impinge(self):
         """Which are joints, their meshes, sides and axes."""
-        subprocess.run([os.environ["MAKE_PAIR"], "--faces", "300", "--out", self.folder / "pair"], check=True, capture_output=True)
+        subprocess.run([os.environ["IMPINGE"], "hip", "pair", "--faces", "300", "--out", self.folder / "pair"], check=True, capture_output=True)
         for name, (files, said) in FOLDERS.items():
             (self.folder / "bones" / name).mkdir(parents=True)
             for file in files:
@@ -105,17 +106,13 @@ class Joints(unittest.TestCase):
             if said is not None:
                 (self.folder / "bones" / name / "subject.json").write_text(json.dumps(said))
         (self.folder / "bones" / "a_file").write_text("")
-        words = [os.environ["SCENE"], "--bones", self.folder / "bones", "--question", "touch", "--out", self.folder / "out"]
-        subprocess.run(words, check=True, capture_output=True)
-        summary = json.loads((self.folder / "out" / "summary.json").read_text())
+        words = [os.environ["IMPINGE"], "touch", "--joints", self.folder / "bones", "--out", self.folder / "out", "--json"]
+        told = [one["joint"] for one in json.loads(subprocess.run(words, check=True, capture_output=True).stdout)["documents"]]
         found = graph.find_joints(self.folder / "bones")
-        self.assertEqual([joint.name for joint in found], [joint["joint"] for joint in summary["joints"]])
         self.assertEqual([joint.name for joint in found], ["by_plain_names", "described", "first_names_first", "no_side"])
-        for joint, told in zip(found, summary["joints"]):
-            for mesh in ("ball", "socket"):
-                self.assertIn(str(getattr(joint, mesh)), json.dumps(told[mesh]))
+        self.assertEqual([[str(joint.ball), str(joint.socket)] for joint in found], [[one[mesh]["mesh"] for mesh in ("ball", "socket")] for one in told])
         self.assertEqual(found[1].options, ["--side", "left", "--axes", "LPS"])
-        self.assertEqual((summary["joints"][1]["side"], summary["joints"][1]["axes"]), ("left", "LPS"))
+        self.assertEqual((told[1]["side"], told[1]["axes"]), ("left", "LPS"))
         self.assertEqual([joint.options for joint in found if joint.name != "described"], [[]] * 3)
 
     def test_refused(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A program of somebody else finds the installed library and agrees with `scene`. BUILD is a whole build, SCENE a program of it, HIP the folder of a
+"""A program of somebody else finds the installed library and agrees with `impinge`. BUILD is a whole build, IMPINGE its program, HIP the folder of a
 right hip.
 """
 
@@ -36,17 +36,16 @@ class Install(unittest.TestCase):
         command = ["cmake", "-S", source, "-B", build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={self.prefix}"]
         return run(*command, "-DCMAKE_BUILD_TYPE=Release", expected=expected)
 
-    def test_a_program_finds_the_library_and_agrees_with_scene(self):
+    def test_a_program_finds_the_library_and_agrees_with_impinge(self):
         build = self.folder / "build"
         self.configure(CONSUMER, build)
         run("cmake", "--build", build)
         hip = Path(os.environ["HIP"])
-        meshes = ["--ball", hip / "ball.ply", "--socket", hip / "socket.ply", "--side", "right"]
-        said = run(build / "consumer", hip / "ball.ply", hip / "socket.ply").splitlines()
+        meshes = [hip / "ball.ply", hip / "socket.ply"]
+        said = run(build / "consumer", *meshes).splitlines()
         motion, low, high = said[1].split()
-        limit = self.folder / "limit"
-        run(os.environ["SCENE"], *meshes, "--question", "limit", "--motion", motion, "--pose", "flexion=90", "--out", limit)
-        found = json.loads((limit / "summary.json").read_text())["contact"][0]
+        limits = run(os.environ["IMPINGE"], "limits", *meshes, "--side", "right", "--motions", motion, "--pose", "flexion=90", "--cartilage", "0", "--json")
+        found = json.loads(limits)["answer"]["limits"][0]
         self.assertEqual((low, high), (f"{found['low_deg']:.3f}", f"{found['high_deg']:.3f}"))
 
         # Gaps are those of the faces, so that the first pose in which a vertex of the ball impinges is not before that limit.

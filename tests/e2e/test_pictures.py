@@ -123,7 +123,9 @@ class GapDifference(unittest.TestCase):
     """Two scenes of one joint, compared vertex by vertex."""
 
     def test_table(self):
-        levels = [{"up_to_mm": 0.0}, {"up_to_mm": 2.0}, {"up_to_mm": None}]
+        levels = [{"up_to": 0.0}, {"up_to": 2.0}, {"up_to": None}]
+        document = {"joint": {"centre": {"position": [0, 0, 0]}, "axes": "RAS", "side": "right"}, "request": {"pose": {}},
+                    "answer": {"colours": {"ball": levels}}}
         gaps = {"rsid": ["-1", "1.5", "", "3"], "usid": ["0.5", "1.75", "1", "3"]}
         with tempfile.TemporaryDirectory() as folder:
             for scheme, values in gaps.items():
@@ -131,7 +133,7 @@ class GapDifference(unittest.TestCase):
                 scene.mkdir(parents=True)
                 rows = [f"ball,{i},0,0,0,{gap}" for i, gap in enumerate(values)]
                 (scene / "gaps.csv").write_text("\n".join(["surface,vertex,x,y,z,gap_mm", *rows]) + "\n")
-                (scene / "summary.json").write_text(json.dumps({"colours": {"ball": levels}}))
+                (scene / "summary.json").write_text(json.dumps(document))
             words = ["--results", folder, "--out", folder, "--joints", "hip"]
             script = ROOT / "analysis" / "tables" / "gap_difference.py"
             environment = {**os.environ, "PYTHONPATH": str(ROOT / "analysis")}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contract: for any command line, parse_program() returns what will be done, prints a text, or throws
-// CommandError with one line that says what to do. Words are parted by NUL.
+// CommandError with one line that says what to do, or an error of the file that --config names. Words are
+// parted by NUL.
 #include <cstdint>
 #include <sstream>
 #include <vector>
@@ -27,6 +28,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     test::require_one_line(error.what());
     require(std::string(error.what()).find("; ") != std::string::npos, "what to do is said", error.what());
     require(out.str().empty(), "nothing is printed", out.str());
+  } catch (const std::runtime_error& error) {
+    test::require_one_line(error.what());
   }
   return 0;
 }

@@ -77,7 +77,7 @@ TEST(SessionRimResection, IsNoLeastCut) {
   ResectRequest least = asked_of_rim("flexion=20");
   least.least = true;
   EXPECT_EQ(thrown<std::invalid_argument>([&] { answer(session, least); }),
-            "the least cut of all is one of the ball; cut the ball, or leave it out");
+            "least: is of a cut of the ball; cut the ball, or leave it out");
   least.neck_mm = 20.0;
   EXPECT_EQ(thrown<std::invalid_argument>([&] { answer(session, least); }),
             "neck_mm: is of a cut of the ball; cut the ball, or leave it out");
