@@ -9,6 +9,7 @@
 #include "command/answer_files.hpp"
 #include "command/joint_options.hpp"
 #include "command/question_command.hpp"
+#include "command/slicer_module.hpp"
 #include "command/version.hpp"
 #include "files/one_line.hpp"
 #include "joint/joint_folder.hpp"
@@ -27,6 +28,8 @@ struct JointCommand {
   bool json = false;
   bool quiet = false;
   bool schema = false;
+  bool xml = false;
+  const CLI::App* app = nullptr;
   std::size_t threads = 0;
 };
 
@@ -244,7 +247,7 @@ void run_all(const JointCommand& command, const Screen& screen) {
 
 // What is given goes together.
 void require_consistent(const JointCommand& command) {
-  if (command.schema) return;
+  if (command.schema || command.xml) return;
   command.question.check();
   if (command.joint.cartilage_map && !command.question.takes_map)
     throw std::invalid_argument("cartilage: is one thickness here, and no map; give a number of mm");
@@ -255,6 +258,8 @@ void require_consistent(const JointCommand& command) {
 void run(const JointCommand& command, const Screen& screen) {
   if (command.schema)
     screen.out << text_of(document_schema(command.question));
+  else if (command.xml)
+    screen.out << slicer_module(*command.app);
   else if (command.joints.empty())
     run_one(command, screen);
   else
@@ -296,6 +301,9 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
   app.add_flag("--quiet", command->quiet, "no progress")->group(group);
   app.add_flag("--schema", command->schema, "print the JSON Schema of the document, and do nothing else")
       ->group(group);
+  app.add_flag("--xml", command->xml, "print what 3D Slicer makes a window of, and do nothing else")
+      ->group(group);
+  command->app = &app;
   app.callback([command, use_config, &screen, &work] {  // once nothing is left over
     use_config();
     require_consistent(*command);
