@@ -102,11 +102,10 @@ std::string parameter_of(const CLI::Option& option, std::size_t& index) {
   constexpr const char* kIndent = "      ";
   const Kind kind = kind_of(option);
   std::string name = option.get_positional() ? option.get_name() : option.get_lnames().front();
-  std::string flag = name;
   std::replace(name.begin(), name.end(), '-', '_');
   std::string xml = "    <" + kind.tag + kind.attributes + ">\n" + element(kIndent, "name", name);
   xml += option.get_positional() ? element(kIndent, "index", std::to_string(index++))
-                                 : element(kIndent, "longflag", flag);
+                                 : element(kIndent, "longflag", name);
   xml +=
       element(kIndent, "description", option.get_description()) + element(kIndent, "label", label_of(option));
   if (!kind.value.empty() || !kind.words.empty()) xml += element(kIndent, "default", kind.value);

@@ -9,7 +9,8 @@
 namespace impinge {
 
 /// The description of a command that asks a question of a joint, in the XML of Slicer's execution model: a
-/// panel for each group of options, a parameter for each option that a window can set.
+/// panel for each group of options, a parameter for each option that a window can set. Flags have _ for -, as
+/// the schema of CTK asks.
 std::string slicer_module(const CLI::App& command);
 
 }  // namespace impinge
