@@ -12,6 +12,12 @@ import common
 
 RIM_DEG = 90  # the cap of the hip ends here
 CURVE, SECOND = common.COLOURS[0], common.COLOURS[1]
+ADJUSTED = {
+    "thesis_deg": "Eq. 16 with 3.03 and 4.29",
+    "closed_form_deg": "Eq. 16 unrounded",
+    "exact_deg": "exact length",
+}
+LOOKS = dict(zip(ADJUSTED, list(common.look(["original", *ADJUSTED]).values())[1:]))
 
 
 def load(results: Path) -> pd.DataFrame:
@@ -77,3 +83,14 @@ def turned(curve: pd.DataFrame, theta_deg: float) -> tuple[np.ndarray, np.ndarra
     theta = np.radians(theta_deg)
     x = curve.x_mm.to_numpy()
     return x * np.cos(theta), -x * np.sin(theta), curve.up_mm.to_numpy()
+
+
+def finest_rays(results: Path) -> pd.DataFrame:
+    """The rows of the most rays of data/conchoid_angles.csv, with their three adjustments."""
+    angles = common.load(results, "conchoid_angles")
+    return angles[angles.rays == angles.rays.max()].set_index("i")
+
+
+def adjusted(column: str) -> dict:
+    """Colour and dash of an adjustment."""
+    return {key: LOOKS[column][key] for key in ("color", "linestyle")}

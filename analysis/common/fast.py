@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the table, the figures and the paper share of all gaps of a pose, in experiment 10_error_against_time."""
+"""What the tables, the figures and the paper share of all gaps of a pose, of touch and of smallest gaps, in experiment
+10_error_against_time.
+"""
 
 from pathlib import Path
 
@@ -47,3 +49,11 @@ def one_thread(table: pd.DataFrame) -> pd.DataFrame:
 def plain_rows(table: pd.DataFrame) -> pd.DataFrame:
     """The same of the joint that is shown."""
     return one_thread(table[table.triangles == TRIANGLES])
+
+
+def contacts(results: Path, scenes: str = "generated_") -> pd.DataFrame:
+    """The rows of data/contact.csv of the scenes that begin so, with a readable `line` for each method."""
+    table = common.load(results, "contact")
+    table = table[table.scene.str.startswith(scenes)].copy()
+    table["line"] = table.method.map(table.attrs["labels"])
+    return table

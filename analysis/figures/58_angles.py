@@ -7,15 +7,15 @@
 import matplotlib.pyplot as plt
 
 import common
-from common import conchoid_angles
+from common import conchoid_plot as conchoid
 
 
 def main(options) -> common.Figure:
-    rays = conchoid_angles.finest(options.results)
+    rays = conchoid.finest_rays(options.results)
     figure, axes = plt.subplots()
     axes.plot(rays.index, rays.original_deg, color=common.COLOURS[0], label="original: equal angles")
-    for column, name in conchoid_angles.ADJUSTED.items():
-        axes.plot(rays.index, rays[column], label=f"adjusted: {name}", **conchoid_angles.line(column))
+    for column, name in conchoid.ADJUSTED.items():
+        axes.plot(rays.index, rays[column], label=f"adjusted: {name}", **conchoid.adjusted(column))
     axes.set(
         title=f"Angles of {len(rays)} rays, {rays.original_deg.iloc[1]:.1f}° apart before they are adjusted",
         xlabel="index i of the ray",
@@ -33,8 +33,8 @@ def inset(axes: plt.Axes, rays) -> None:
     """Where the adjusted angles differ most from each other: at the rim."""
     last = rays[rays.index >= len(rays) - 8]
     axes.plot(last.index, last.original_deg, color=common.COLOURS[0])
-    for column in conchoid_angles.ADJUSTED:
-        axes.plot(last.index, last[column], **conchoid_angles.line(column))
+    for column in conchoid.ADJUSTED:
+        axes.plot(last.index, last[column], **conchoid.adjusted(column))
     axes.set_title("at the rim", fontsize=9)
     axes.tick_params(labelsize=8)
 

@@ -7,18 +7,18 @@
 import matplotlib.pyplot as plt
 
 import common
-from common import conchoid_angles
+from common import conchoid_plot as conchoid
 
 
 def main(options) -> common.Figure:
-    rays = conchoid_angles.finest(options.results)
+    rays = conchoid.finest_rays(options.results)
     figure, axes = plt.subplots()
-    for column, name in conchoid_angles.ADJUSTED.items():
+    for column, name in conchoid.ADJUSTED.items():
         turned = rays[column] - rays.original_deg
         at = turned.idxmin()
-        look = conchoid_angles.LOOKS[column]
+        look = conchoid.LOOKS[column]
         label = f"{name}: {turned[at]:.2f}° at φ = {rays.original_deg[at]:.1f}°"
-        axes.plot(rays.original_deg, turned, label=label, **conchoid_angles.line(column))
+        axes.plot(rays.original_deg, turned, label=label, **conchoid.adjusted(column))
         axes.plot(rays.original_deg[at], turned[at], marker=look["marker"], color=look["color"])
     axes.axhline(0, color="#555555", linewidth=0.8)
     axes.set(

@@ -9,7 +9,7 @@ import numpy as np
 import pandas as pd
 
 import common
-from common import contact, error_panel, fast, pareto
+from common import error_panel, fast, pareto
 
 REFERENCES = {  # labelled wherever they are: what a reader knows, or compares with
     "cgal_first_hit": "CGAL, first hit",
@@ -29,7 +29,7 @@ def main(options) -> common.Figure:
     gaps = scans(fast.load(results, scenes=fast.HIPS))
     error_panel.draw(grid[0, 1], gaps)
     grid[0, 1].set(title=f"All gaps of a pose, {words(gaps)}", ylabel="time of a vertex, ns")
-    poses = hip_rows(contact.load(results, scenes=fast.HIPS))
+    poses = hip_rows(fast.contacts(results, scenes=fast.HIPS))
     bars(grid[1, 0], poses[poses.question == "touch"])
     grid[1, 0].set(title=f"Touch, {words(poses)}")
     bars(grid[1, 1], poses[poses.question != "touch"])

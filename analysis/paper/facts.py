@@ -23,10 +23,10 @@ import pandas as pd
 import common
 from common import log_plot, strain, timing
 from findings import finding
-from paper import baselines, cells, cohort, contact, fast, error_against_time, limits, replay, stability, volume
+from paper import baselines, cells, error_against_time, limits, studies, volume
 from verdicts import verdict
 
-MODULES = (cells, cohort, fast, contact, error_against_time, replay, stability, strain, baselines, limits, volume)
+MODULES = (cells, studies, error_against_time, strain, baselines, limits, volume)
 MACHINE = ["cpu", "cores", "compiler", "flags", "profile", "commit"]
 
 
