@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // @question  Does the published spread of shape give the published spread of internal rotation?
-// @writes    cohort cohort_quantiles
+// @writes    cohort
 // @timing    no
 // @seconds   14 60
 // @reads     27_cohort/study.json
@@ -12,7 +12,6 @@
 
 #include "cohort/answers.hpp"
 #include "cohort/shard.hpp"
-#include "cohort/summary.hpp"
 #include "harness/build_info.hpp"
 #include "harness/driver.hpp"
 
@@ -23,31 +22,6 @@ using namespace impinge::lab;
 constexpr std::size_t kBetweenLines = 20;        // hips
 constexpr std::size_t kFacesInQuick = 1000;      // of a surface
 constexpr std::size_t kFineFacesInQuick = 3000;  // where a second look is due
-
-// The quantiles of every quantity, a row each.
-impinge::Table quantile_table(const nlohmann::json& summary) {
-  impinge::Table table;
-  table.columns = {
-      {"quantity", "", "column of cohort.csv"},
-      {"p", "1", "share of hips below"},
-      {"value", "as of the quantity", "its quantile in these hips"},
-      {"sampling_low", "as of the quantity", "lower end of 95 % for the population's; empty if unknown"},
-      {"sampling_high", "as of the quantity", "upper end of the same"},
-      {"input_low", "as of the quantity", "lower end of what mesh and centre can make of the value"},
-      {"input_high", "as of the quantity", "upper end of the same"}};
-  const auto cell = [](const nlohmann::json& x) {
-    return x.is_number() ? impinge::Cell(x.get<double>()) : impinge::Cell();
-  };
-  for (const auto& [name, quantity] : summary["quantities"].items()) {
-    for (const auto& q : quantity["quantiles"]) {
-      const auto& sampling = q["sampling"];
-      const auto& input = q["mesh_and_centre"];
-      table.add_row({name, cell(q["p"]), cell(q["value"]), cell(sampling[0]), cell(sampling[1]),
-                     cell(input[0]), cell(input[1])});
-    }
-  }
-  return table;
-}
 
 void body(DriverRun& run) {
   const std::filesystem::path source = build_info().source_folder;
@@ -67,13 +41,6 @@ void body(DriverRun& run) {
     result.table.rows.push_back(cohort_row(study, members, j));
     if ((j + 1) % kBetweenLines == 0) run.progress.say(std::to_string(j + 1) + " hips");
   }
-  const std::string csv = to_csv(result.table);
-  const auto rows = std::string_view(csv).substr(csv.find('\n') + 1);
-  const nlohmann::json summary = summary_of(study, result.table.columns, rows);
-  run.write(result);
-  result.name = "cohort_quantiles";
-  result.question = "How do shape and limits spread, and how well are their quantiles known?";
-  result.table = quantile_table(summary);
   run.write(result);
 }
 

@@ -202,15 +202,6 @@ class Reproduce(unittest.TestCase):
         )
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
-    def test_f_why(self):  # nightly
-        """Up to date; or the file that is missing; or which names are near."""
-        self.assertIn("up to date", reproduce("--why", "table-2").stdout)
-        (RESULTS / "tables" / "table-2.csv").unlink()
-        self.assertIn("table-2.csv is not there yet", reproduce("--why", "table-2").stdout)
-        unknown = reproduce("--why", "table-99")
-        self.assertEqual(unknown.returncode, 2)
-        self.assertRegex(unknown.stderr, r"^reproduce: there is no 'table-99'\. Near: table-9 .*\n$")
-
     def test_g_only(self):
         """Makes one artefact alone."""
         away, table = RESULTS.with_name(f"{RESULTS.name}-table-3"), RESULTS / "tables" / "table-3.csv"

@@ -40,6 +40,8 @@ class Short(unittest.TestCase):
         self.assertLess(time.monotonic() - begin, 5)
         self.assertIn("up to date", self.reproduce("--why", "table-2"))
         self.assertIn("would be made again", self.reproduce("--why", "error-against-time"))
+        (self.results / "tables" / "table-2.csv").unlink()
+        self.assertIn("table-2.csv is not there yet", self.reproduce("--why", "table-2"))
 
     def test_b_figure_is_made(self):
         self.reproduce("--only", "figure-50")
