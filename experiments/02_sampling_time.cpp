@@ -18,10 +18,9 @@
 #include <benchmark/benchmark.h>
 
 #include "harness/driver.hpp"
-#include "harness/timing_report.hpp"
+#include "harness/timing.hpp"
 #include "mesh/generated_pair.hpp"
 #include "methods/fill_method.hpp"
-#include "methods/kept_tables.hpp"
 
 namespace {
 

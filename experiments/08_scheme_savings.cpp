@@ -5,13 +5,13 @@
 // @seconds   12 120
 // @links     harness scheme_metrics
 //
-// In four meanings of "as good": see scheme_metrics/scheme_savings.hpp. Each time a table of the scheme is
+// In four meanings of "as good": see scheme_metrics/scheme_metrics.hpp. Each time a table of the scheme is
 // made and measured.
 
 #include <array>
 
 #include "harness/driver.hpp"
-#include "scheme_metrics/scheme_savings.hpp"
+#include "scheme_metrics/scheme_metrics.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/uniform_directions.hpp"

@@ -21,7 +21,7 @@
 #include <benchmark/benchmark.h>
 
 #include "harness/driver.hpp"
-#include "harness/timing_report.hpp"
+#include "harness/timing.hpp"
 #include "scheme_metrics/scheme_search.hpp"
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_list.hpp"

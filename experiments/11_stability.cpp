@@ -14,8 +14,8 @@
 #include <utility>
 
 #include "harness/driver.hpp"
+#include "stress/family.hpp"
 #include "stress/measure.hpp"
-#include "stress/report.hpp"
 
 namespace {
 

@@ -34,7 +34,7 @@
 #include "gap/simd/exact_cells.hpp"
 #include "harness/driver.hpp"
 #include "harness/real_joints.hpp"
-#include "harness/timing_report.hpp"
+#include "harness/timing.hpp"
 #include "joint/certificate.hpp"
 #include "joint/needed_work.hpp"
 #include "mesh/generated_pair.hpp"

@@ -16,7 +16,7 @@
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "mesh/generated_pair.hpp"
-#include "methods/resampled.hpp"
+#include "methods/thesis_fills.hpp"
 #include "sphere/schemes/usid.hpp"
 
 namespace {

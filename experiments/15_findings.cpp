@@ -18,7 +18,7 @@
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "mesh/icosphere.hpp"
-#include "methods/algorithm_2.hpp"
+#include "methods/thesis_fills.hpp"
 #include "methods/thesis_raster.hpp"
 #include "table/exact_raster.hpp"
 

@@ -14,7 +14,6 @@
 #include <optional>
 #include <string>
 
-#include "cohort/merge.hpp"
 #include "cohort/shard.hpp"
 #include "command/program.hpp"
 #include "files/file_bytes.hpp"

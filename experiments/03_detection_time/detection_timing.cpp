@@ -5,7 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "harness/timing_report.hpp"
+#include "harness/timing.hpp"
 #include "methods/cgal.hpp"
 
 namespace impinge::lab {

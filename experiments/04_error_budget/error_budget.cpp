@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "harness/error_summary.hpp"
+#include "harness/statistics.hpp"
 #include "mesh/edges.hpp"
 #include "table/pairwise.hpp"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "10_error_against_time/all_gaps.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -9,6 +7,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "10_error_against_time/report.hpp"
 #include "files/stopwatch.hpp"
 #include "methods/benchmark_scene.hpp"
 #include "methods/instruction_set.hpp"

@@ -11,12 +11,11 @@
 
 #include <benchmark/benchmark.h>
 
-#include "10_error_against_time/contact_motions.hpp"
-#include "10_error_against_time/exact_gaps.hpp"
+#include "10_error_against_time/contact.hpp"
 #include "files/stopwatch.hpp"
 #include "gap/overlay.hpp"
 #include "methods/heap_use.hpp"
-#include "methods/surface_distance.hpp"
+#include "methods/pose_set.hpp"
 #include "sphere/infinity.hpp"
 #include "sphere/radial_table.hpp"
 

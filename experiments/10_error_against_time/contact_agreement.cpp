@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "10_error_against_time/contact_agreement.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "10_error_against_time/contact.hpp"
 #include "contact/culled_joint.hpp"
 #include "harness/contact_poses.hpp"
 #include "methods/contact.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "10_error_against_time/first_contact.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -12,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <benchmark/benchmark.h>
 
+#include "10_error_against_time/contact.hpp"
 #include "files/stopwatch.hpp"
 #include "limits/turn_limit.hpp"
 #include "methods/heap_use.hpp"
@@ -21,12 +20,12 @@
 namespace impinge::lab {
 namespace {
 
-constexpr double kFarthest = 120.0;    // degrees
-constexpr std::size_t kTurns = 8;      // of a scene
-constexpr std::size_t kTries = 40;     // axes that are drawn for them
-constexpr double kResolution = 1e-3;   // degrees, of the halvings
-constexpr std::size_t kSlowTurns = 2;  // of slow methods
-constexpr double kSlowStep = 1.0;      // degrees, of slow methods
+constexpr double kFarthest = 120.0;     // degrees
+constexpr std::size_t kTurns = 8;       // of a scene
+constexpr std::size_t kTurnTries = 40;  // axes that are drawn for them
+constexpr double kResolution = 1e-3;    // degrees, of the halvings
+constexpr std::size_t kSlowTurns = 2;   // of slow methods
+constexpr double kSlowStep = 1.0;       // degrees, of slow methods
 
 const std::vector<double> kQuickSteps{5.0, 1.0};
 const std::vector<double> kFullSteps{5.0, 1.0, 0.2};
@@ -59,7 +58,7 @@ std::vector<TrueContact> motions_of(const BenchmarkScene& scene, const TurnLimit
   };
   std::mt19937_64 random(seed);
   std::vector<TrueContact> motions;
-  for (std::size_t k = 0; k < kTries && motions.size() < kTurns; ++k) {
+  for (std::size_t k = 0; k < kTurnTries && motions.size() < kTurns; ++k) {
     const Vec3 axis = uniform_direction(random);
     const TurnLimit limit = limits.first_contact(turn_about(axis), kFarthest);
     if (limit.state == LimitState::blocked) break;

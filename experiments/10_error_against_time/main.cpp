@@ -24,13 +24,12 @@
 #include <iterator>
 #include <optional>
 
-#include "10_error_against_time/all_gaps.hpp"
-#include "10_error_against_time/contact_agreement.hpp"
-#include "10_error_against_time/first_contact.hpp"
+#include "10_error_against_time/contact.hpp"
+#include "10_error_against_time/report.hpp"
 #include "files/file_bytes.hpp"
 #include "harness/driver.hpp"
 #include "harness/real_joints.hpp"
-#include "harness/timing_report.hpp"
+#include "harness/timing.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "mesh/generated_pair.hpp"

@@ -14,7 +14,7 @@
 
 #include "17_limit_time/limit_times.hpp"
 #include "harness/driver.hpp"
-#include "harness/timing_report.hpp"
+#include "harness/timing.hpp"
 #include "limits/told_limit.hpp"
 
 namespace {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "17_limit_time/turned_joint.hpp"
-
 #include <utility>
 
+#include "17_limit_time/limit_times.hpp"
 #include "harness/real_joints.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "hip/joint.hpp"
 #include "mesh/io.hpp"
-#include "phantoms/implant.hpp"
+#include "phantoms/phantom.hpp"
 
 namespace impinge::lab {
 namespace {

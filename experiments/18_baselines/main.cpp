@@ -13,7 +13,7 @@
 #include "18_baselines/baseline_study.hpp"
 #include "harness/driver.hpp"
 #include "harness/real_joints.hpp"
-#include "harness/timing_report.hpp"
+#include "harness/timing.hpp"
 #include "mesh/generated_pair.hpp"
 
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "harness/build_info.hpp"
-#include "harness/shell.hpp"
+#include "harness/provenance.hpp"
 #include "mesh/io.hpp"
 
 namespace impinge::lab {

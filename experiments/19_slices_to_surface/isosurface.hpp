@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "imaging/voxel_image.hpp"
+#include "imaging/ct_scan.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge::lab {

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Claims of the thesis that it never showed (Chapter 6), one function and one file each.
+// Claims of the thesis that it never showed (Chapter 6), one function each.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "files/csv.hpp"
 #include "harness/timing.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "sphere/walker.hpp"
 
 namespace impinge::lab {
 
@@ -53,5 +59,53 @@ struct ClaimsTables {
 std::vector<Column> claims_keys();  // claim, setting, quantity
 // Times the cases and puts them below the rows.
 ClaimsTables claims_tables(const ClaimsStudy& study, Progress& progress);
+
+// Self-collision found while a table is filled, as the thesis proposes (Chapter 6): two triangles that are no
+// neighbours and put the same radius into one entry.
+//
+// On a table the same radius is one that differs by no more than a tolerance: two planes that cross between
+// entries differ, at the entry nearest to the crossing, by up to r rho (tan psi_1 + tan psi_2), rho the
+// covering radius. With a smaller tolerance crossings are missed; layers that run closer than the tolerance
+// are reported though they are apart.
+
+// Faces by number, the smaller first.
+using FacePair = std::pair<std::size_t, std::size_t>;
+
+// Do the faces share a vertex?
+inline bool are_neighbours(const Face& a, const Face& b) {
+  return std::ranges::any_of(a, [&b](VertexIndex v) { return std::ranges::find(b, v) != b.end(); });
+}
+
+// Every pair once, in order. mesh in the centre frame; tolerance in mm, 0 or more.
+template <SamplingScheme S>
+std::vector<FacePair> self_collisions(const TriangleMesh& mesh, const S& scheme, double tolerance) {
+  struct Sample {
+    std::size_t entry;
+    double radius;
+    std::size_t face;
+  };
+  std::vector<Sample> samples;
+  const auto& walker = walker_of(scheme);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const TriangleCone cone = cone_of(mesh, mesh.faces[f]);
+    if (cone.edge_on()) continue;
+    for_each_entry_inside(walker, cone, [&](std::size_t entry, const Vec3& u) {
+      samples.push_back({entry, cone.radius(u), f});
+    });
+  }
+  std::ranges::sort(samples, {}, [](const Sample& s) { return std::tuple(s.entry, s.radius, s.face); });
+  std::vector<FacePair> pairs;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (std::size_t j = i + 1; j < samples.size() && samples[j].entry == samples[i].entry &&
+                                samples[j].radius - samples[i].radius <= tolerance;
+         ++j) {
+      const auto [a, b] = std::minmax(samples[i].face, samples[j].face);
+      if (!are_neighbours(mesh.faces[a], mesh.faces[b])) pairs.emplace_back(a, b);
+    }
+  }
+  std::ranges::sort(pairs);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
 
 }  // namespace impinge::lab

@@ -10,7 +10,7 @@
 
 #include "20_claims/claims_study.hpp"
 #include "harness/driver.hpp"
-#include "harness/timing_report.hpp"
+#include "harness/timing.hpp"
 
 namespace {
 

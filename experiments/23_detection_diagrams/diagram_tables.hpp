@@ -4,9 +4,13 @@
 // rounded to 1e-4.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
+#include <vector>
 
 #include "files/csv.hpp"
+#include "hip/hip_parameters.hpp"
+#include "mesh/sphere_section.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "sphere/schemes/rsid.hpp"
 
@@ -20,7 +24,7 @@ Table chart_table();  // the flat triangles that stand for every face (methods/c
 // A row a corner of a triangle.
 void add_chart(std::string_view name, const TriangleMesh& mesh, Table& chart);
 
-Table coverage_table();  // which entries the faces fill (methods/chart_coverage.hpp)
+Table coverage_table();  // which entries the faces fill (methods/chart.hpp)
 // A row an entry that is filled.
 void add_coverage(std::string_view name, const TriangleMesh& mesh, const Rsid& scheme, Table& coverage);
 
@@ -29,5 +33,36 @@ void add_section(std::string_view name, const TriangleMesh& mesh, Table& section
 
 Table ray_table();  // its nearest and farthest radius along rays of that plane, evenly spread
 void add_rays(std::string_view name, const TriangleMesh& mesh, double step_deg, Table& rays);  // a row a ray
+
+// Bodies for the diagrams of the thesis' sampling: what shape they have (Figure 29), and the rare case of a
+// pole on an edge (Section 3.2, case 2).
+
+// A body, and what the diagrams call it.
+struct NamedBody {
+  std::string_view name;  // its kind
+  TriangleMesh mesh;      // closed, centre frame
+};
+
+// The kinds that the thesis tells apart, from what the library makes: `sphere`, `near_spherical` (a ball with
+// a cam), `star_shape` (the ball of the hip without its shaft), and one that is none of them, `femur` (with
+// the shaft). Of about `faces` faces each, as in make_hip().
+std::vector<NamedBody> bodies_by_shape(HipParameters shape, std::size_t faces);
+
+// Columns alone, and the row of a closed mesh in the centre frame.
+Table body_table();
+void add_body(std::string_view name, const TriangleMesh& mesh, Table& bodies);  // Its row.
+
+// The mesh moved across the z axis, by less than a face, so that the middle of an edge lies on +z exactly;
+// its corners are rounded to 2^-20 mm first, which makes the sums exact. Chosen among the edges of the face
+// that +z meets: the one whose middle is nearest. std::invalid_argument where +z meets no face.
+TriangleMesh over_an_edge(TriangleMesh mesh);
+
+// Where a surface crosses a plane through the origin.
+
+// One segment for each face with corners on both sides of the plane n.x = 0, between the points where two of
+// its edges cross it. `normal` has any length above 0. A corner on the plane counts as in front (n.x > 0), so
+// that neighbouring faces cross at the same points and the section of a closed body is closed; a face that
+// only touches the plane with such a corner gives a segment of no length.
+std::vector<Segment> plane_section(const TriangleMesh& mesh, const Vec3& normal);
 
 }  // namespace impinge::lab

@@ -2,6 +2,7 @@
 #include "24_strain/layer_contact.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -172,6 +173,21 @@ double LayerContact::strain_by_gap(double r) const {
 double LayerContact::aggregate_modulus() const {
   const double nu = layer_.poisson;
   return nu < 0.5 ? 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu) : std::numeric_limits<double>::infinity();
+}
+
+double gap_strain(double gap, double thickness) {
+  if (std::isnan(gap)) return gap;
+  if (gap <= 0.0) return 1.0;
+  return gap < thickness ? 1.0 - gap / thickness : 0.0;
+}
+
+std::vector<double> gap_strains(std::span<const double> gap, std::span<const Vec3> places,
+                                const CartilageMap& map) {
+  assert(gap.size() == places.size());
+  std::vector<double> strains(gap.size());
+  for (std::size_t i = 0; i < strains.size(); ++i)
+    strains[i] = gap_strain(gap[i], thickness_at(map, places[i]));
+  return strains;
 }
 
 }  // namespace impinge::lab

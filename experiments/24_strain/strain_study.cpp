@@ -8,7 +8,6 @@
 #include <numeric>
 #include <vector>
 
-#include "24_strain/gap_strain.hpp"
 #include "24_strain/layer_contact.hpp"
 #include "gap/gap_scan.hpp"
 #include "hip/clock.hpp"

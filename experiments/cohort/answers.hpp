@@ -2,11 +2,14 @@
 // What is asked of one hip, as the cells of a row.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "cohort/member.hpp"
 #include "cohort/study.hpp"
 #include "files/csv.hpp"
+#include "hip/anatomy.hpp"
+#include "mesh/ball_socket_pair.hpp"
 
 namespace impinge::lab {
 
@@ -27,5 +30,26 @@ std::vector<Column> answer_columns(const Study& study);
 
 // The cells of that hip. Empty what a joint does not have, as a neck, or a side.
 std::vector<Cell> answers(const Study& study, const Member& member);
+
+// How far a hip turns, and where it is close then.
+
+// Columns of all motions; see answer_columns().
+std::vector<Column> limit_columns(const CohortQuestions& asked);
+
+// Their cells. Meshes in the joint frame about the centre, mm.
+std::vector<Cell> limit_cells(const CohortQuestions& asked, const BallSocketPair& meshes,
+                              const std::optional<Side>& side);
+
+// M_deg alone, of each motion.
+std::vector<Column> plain_limit_columns();
+std::vector<Cell> plain_limit_cells(const BallSocketPair& meshes, const std::optional<Side>& side);
+
+// The shape of a hip, measured from its meshes alone.
+
+// measured_NAME, where NAME is the parameter that is measured, or alpha_H at H o'clock about the neck.
+std::vector<Column> shape_columns();
+
+// Their cells; empty what the meshes do not show, all without a side. Joint frame, mm.
+std::vector<Cell> shape_cells(const BallSocketPair& meshes, const std::optional<Side>& side);
 
 }  // namespace impinge::lab

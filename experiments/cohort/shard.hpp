@@ -65,4 +65,17 @@ struct ShardRun {
 // seconds, and ends with all of them. std::runtime_error, one line, for a folder of another study.
 ShardRun run_shard(const Study& study, const ShardName& shard, const std::filesystem::path& folder);
 
+// From the shards of a folder to its three results: cohort.csv, a row a hip; cohort.json, what they say
+// together; shards.json, what each shard took. The first two are the same bytes for any number of shards.
+
+// What was merged.
+struct Merged {
+  std::size_t hips = 0;
+  std::size_t shards = 0;
+};
+
+// std::runtime_error, one line, that names the shards that are missing, unfinished or broken, and how to work
+// them out.
+Merged merge(const std::filesystem::path& folder);
+
 }  // namespace impinge::lab

@@ -2,7 +2,10 @@
 // How a parameter spreads over a population.
 #pragma once
 
+#include <span>
 #include <string>
+
+#include <Eigen/Core>
 
 #include "hip/hip_parameters.hpp"
 
@@ -32,5 +35,20 @@ struct Spread {
 
 // The value whose share below is that of z in a standard normal distribution; nearly -inf to nearly inf.
 double value_at(const Spread& spread, double z);
+
+// Correlated draws: a Gaussian copula. Each parameter keeps its distribution; the normal scores of two of
+// them have the given correlation.
+
+// Of two parameters, by their names.
+struct Correlation {
+  std::string one;
+  std::string other;
+  double r = 0.0;  // -1 to 1
+};
+
+// L, lower triangular with L L^T the matrix of correlations: scores are L times independent ones.
+// std::invalid_argument, one line, for a pair that does not spread or is given twice, and for numbers that no
+// population has: a matrix that is not positive definite.
+Eigen::MatrixXd mixing_of(std::span<const Spread> spreads, std::span<const Correlation> correlations);
 
 }  // namespace impinge::lab

@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "cohort/correlation.hpp"
+#include "cohort/spread.hpp"
 #include "files/csv.hpp"
 #include "files/file_bytes.hpp"
 #include "files/one_line.hpp"
-#include "harness/digest.hpp"
+#include "harness/provenance.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 

@@ -6,9 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "curves/carlson.hpp"
-#include "curves/root.hpp"
-#include "curves/rounding.hpp"
+#include "curves/gsl.hpp"
 #include "sphere/direction.hpp"
 
 namespace impinge {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "curves/conchoid.hpp"
@@ -40,5 +41,48 @@ std::vector<double> adjusted_angles(const ConchoidClosedForm& form, std::size_t 
 
 /// The angles at which the exact length of the meridian is i / (rays - 1) of that at 90 degrees.
 std::vector<double> equal_arc_angles(const ConchoidShape& shape, std::size_t rays);
+
+// Rays at equal angles from a point of the axis against the arc of a conchoid from phi = 0 (apex) to 90
+// degrees (rim): how long are the segments they cut? (thesis, Figure 53)
+//
+// Heights are those on the axis in the conchoid frame, mm; angles in radians. An origin is inside of the
+// arc, 0 <= height < a + b, else std::invalid_argument: from there every ray meets the arc once, for the
+// arc is convex and so is what it closes with the disc of its rim.
+
+/// Angle at the origin between the axis and the point of the arc at phi.
+double ray_angle(const ConchoidShape& shape, double height, double phi);
+
+/// Length of arc per angle at the origin, ds / dalpha, mm per radian: the limit of the segments of many rays.
+double spacing_rate(const ConchoidShape& shape, double height, double phi);
+
+/// phi at which rays at equal angles, the first on the axis and the last through the rim, meet the arc.
+/// Two rays or more.
+std::vector<double> ray_cuts(const ConchoidShape& shape, double height, std::size_t rays);
+
+/// Lengths of the rays - 1 segments, from the apex on, mm.
+std::vector<double> segment_lengths(const ConchoidShape& shape, double height, std::size_t rays);
+
+// Points of a conchoid's axis from which rays may sample its arc from phi = 0 (apex) to 90 degrees (rim).
+// Heights are those on the axis in the conchoid frame, mm. A shape that is none is std::invalid_argument.
+
+/// A point of the axis, mm above the conchoid's origin.
+struct SamplingOrigin {
+  std::string_view name;  // in tables of results
+  double height = 0.0;    // mm
+};
+
+/// The conchoid's origin, and what "the center of the model" may mean for the arc from apex to rim ("cap") or
+/// for the whole curve: middle of the extent along the axis, centroid of the curve, centroid of the surface,
+/// centre of the best sphere. Only those inside of the arc.
+std::vector<SamplingOrigin> sampling_origins(const ConchoidShape& shape);
+
+/// The sphere about a point of the axis that fits the cap's surface best in the sense of least squares.
+struct AxialSphere {
+  double height = 0.0;           // mm
+  double radius = 0.0;           // mm
+  double lowest_residual = 0.0;  // mm, of distance from the centre minus radius over the cap
+  double highest_residual = 0.0;
+};
+AxialSphere fit_axial_sphere(const ConchoidShape& shape);  // that sphere of the cap
 
 }  // namespace impinge

@@ -6,6 +6,17 @@
 // finite, a phi outside of [0, pi] and a length beyond the curve are std::invalid_argument.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "sphere/direction.hpp"
+#include "sphere/scheme.hpp"
+
 namespace impinge {
 
 /// L(phi) = integral_0^phi sqrt(1 + 4 k^2 sin^2 t) dt = E(phi | m = -4 k^2), Legendre's incomplete elliptic
@@ -29,5 +40,104 @@ double polar_angle_at_length(double turns, double length);
 
 /// Inverse of travelled_distance(). A distance past the end by rounding is the end.
 double polar_angle_at_travelled_distance(double turns, double distance);
+
+// Where the entries of the thesis' helix stand (Chapter 4): "equally distributed along the curve with a
+// distance dx" has two readings, by Eq. 10's travelled distance T or by true arc length L. And how far the
+// look-up index T / dx is off in the second one.
+
+/// Entries 0 ... count - 1 on the helix of k turns, one on each pole. k >= 2 and count >= 2, else
+/// std::invalid_argument from any function here.
+struct HelixEntries {
+  double turns = 229.0;       // k
+  std::size_t count = 52441;  // the thesis: k^2
+};
+
+/// The k^2 entries of the thesis' helix.
+HelixEntries thesis_entries(std::size_t turns);
+
+/// count - 1: the index of the entry on the south pole, and the number of steps.
+double last_index(const HelixEntries& entries);
+
+/// phi of entry i at equal steps of T: cos(phi_i) = 1 - 2 i / (count - 1). T / dx is then i itself.
+double polar_angle_of_equal_travel(const HelixEntries& entries, std::size_t i);
+
+/// phi of entry i at equal steps of L (a root is found).
+double polar_angle_of_equal_arc(const HelixEntries& entries, std::size_t i);
+
+/// What the look-up divides T by: the true spacing L(pi) / (count - 1), or that of Eq. 10's own total,
+/// (4 k + 1) / (count - 1).
+enum class HelixSpacing { true_arc, travelled };
+
+/// T(phi) / dx minus the true place (count - 1) L(phi) / L(pi), in entries: by how much the index of a
+/// look-up by Eq. 10 is off at phi when entries stand at equal true arc length.
+double index_mismatch(const HelixEntries& entries, HelixSpacing spacing, double phi);
+
+/// By how much an index is off, and where.
+struct Mismatch {
+  double phi = 0.0;    // radians
+  double index = 0.0;  // entries, signed
+};
+
+/// The mismatch of largest size over [0, pi]; of two of one size the northern one. The derivative of
+/// c (1 - cos phi) / 2 - L(phi) vanishes where sin^2 phi = 1 / (c^2 / 4 - 4 k^2): with the end, phi = pi,
+/// these are the only candidates.
+Mismatch largest_index_mismatch(const HelixEntries& entries, HelixSpacing spacing);
+
+// The look-up of the thesis' helix step by step (Section 4.3, Figure 48), for entries at equal travelled
+// distance. The scheme Usid does the same in one go; this keeps what a figure shows.
+
+struct HelixNeighbours {
+  double phi_above = 0.0;        // of P_a, where the half plane of the vertex' theta meets the turn above it
+  double phi_below = 0.0;        // of P_b, on the turn below; radians
+  double travelled_above = 0.0;  // T of P_a (Eq. 10), radii
+  double travelled_below = 0.0;  // T of P_b
+  std::array<std::size_t, 4> entry{};  // P_0 and P_1 round P_a, P_2 and P_3 round P_b
+};
+
+/// Neighbours of a vertex in direction x (of any length above zero). None above the first turn and below the
+/// last one, where a vertex has three.
+std::optional<HelixNeighbours> helix_neighbours(const HelixEntries& entries, const Vec3& x);
+
+// Algorithm 3's look-up on the thesis' helix with each way of finding the index of a point of the curve. Slow
+// and plain: the schemes of sphere/ are what a table uses.
+
+/// How the place of a point of the curve is counted in entries: by true arc length, which is right for
+/// entries at equal arc, or as T / dx of Eq. 10 with dx the true spacing or Eq. 10's own, which is right for
+/// entries at equal travel.
+enum class HelixIndex { true_arc, eq10_true_spacing, eq10_own_spacing };
+
+/// The place, in [0, count - 1]: T / dx with the true spacing runs past the table and is cut there.
+double helix_place(const HelixEntries& entries, HelixIndex index, double phi);
+
+/// Two entries on the turn above the direction x and two on the one below, linear along the turns and between
+/// them; above the first turn and below the last one three. The cell is left 0.
+Stencil helix_stencil(const HelixEntries& entries, HelixIndex index, const Vec3& x);
+
+// What a way of looking up entries costs on a surface that is known exactly.
+
+/// Of interpolated minus true radius, mm.
+struct LookupError {
+  double largest = 0.0;           // in size
+  double root_mean_square = 0.0;  // over the directions
+};
+
+/// Interpolates the radii of the entries with stencil(u) -> Stencil in each direction u (unit vectors, at
+/// least one) and compares with radius(u). All radii in mm.
+template <class StencilOf>
+LookupError lookup_error(std::span<const double> radii, StencilOf&& stencil,
+                         const std::function<double(const Vec3&)>& radius, std::span<const Vec3> directions) {
+  LookupError error;
+  double sum = 0.0;
+  for (const Vec3& u : directions) {
+    const Stencil taps = stencil(u);
+    double interpolated = 0.0;
+    for (std::size_t k = 0; k < taps.taps; ++k) interpolated += taps.weight[k] * radii[taps.entry[k]];
+    const double off = interpolated - radius(u);
+    error.largest = std::max(error.largest, std::abs(off));
+    sum += off * off;
+  }
+  error.root_mean_square = std::sqrt(sum / static_cast<double>(directions.size()));
+  return error;
+}
 
 }  // namespace impinge

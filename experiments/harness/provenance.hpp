@@ -12,7 +12,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -47,5 +49,48 @@ nlohmann::json sidecar(const RunRecord& run, const Result& result, const std::st
 // its sidecar names the hashes of these bytes and of this driver. Throws std::runtime_error with path and
 // reason.
 void write_result(const RunRecord& run, const Result& result);
+
+// Which version of the sources a result came from.
+
+struct SourceState {
+  std::string commit = "unknown";  // full hash
+  std::optional<bool> dirty;  // uncommitted changes, or new files among the sources; nothing when unknown
+};
+
+// From the environment (IMPINGE_COMMIT, IMPINGE_DIRTY: 1, yes or true mean dirty) when IMPINGE_COMMIT is set,
+// else from git in the given folder, the root of the repository, else unknown. New files count only below
+// libcore, experiments, analysis and paper, unless git ignores them. Never throws because of a missing git or
+// repository.
+SourceState source_state(const std::filesystem::path& folder);
+
+// The machine that a result was measured on, as the operating system reports it. Only reads.
+
+struct Machine {
+  std::string cpu = "unknown";       // model name
+  unsigned cores = 0;                // logical processors
+  std::uint64_t memory_mib = 0;      // physical memory, MiB
+  std::string governor = "unknown";  // frequency governor of the first core
+  double load = 0.0;                 // average of runnable processes over the last minute
+  std::string system = "unknown";    // name and release of the operating system, processor family
+};
+
+Machine this_machine();  // as it is now
+
+// SHA-256 of results and programs, by OpenSSL.
+
+// 64 lower-case hexadecimal digits.
+std::string sha256_hex(std::string_view bytes);
+
+// The same for the bytes of a file. Throws std::runtime_error when it cannot be read.
+std::string sha256_of_file(const std::filesystem::path& path);
+
+// Quoting for the shell.
+
+// The text quoted so that a POSIX shell reads it as one word.
+inline std::string shell_quoted(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
 
 }  // namespace impinge::lab

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/progress.hpp"
+#include "harness/driver.hpp"
 #include "hip/anatomy.hpp"
 #include "mesh/ball_socket_pair.hpp"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace impinge::lab {
@@ -21,6 +22,19 @@ double quantile(std::span<const double> samples, double p) {
 
 Summary summarise(std::span<const double> samples) {
   return {quantile(samples, 0.5), quantile(samples, 0.75) - quantile(samples, 0.25), samples.size()};
+}
+
+ErrorSummary summarise_errors(std::span<const double> errors, std::size_t uniform) {
+  if (uniform == 0 || uniform > errors.size()) {
+    throw std::invalid_argument(
+        "errors are summarised over one uniform direction or more, and no more than there are");
+  }
+  if (!std::ranges::all_of(errors, [](double e) { return e >= 0.0; })) {
+    throw std::invalid_argument("an error is no number: leave out directions in which there is no surface");
+  }
+  double squares = 0.0;
+  for (const double e : errors.first(uniform)) squares += e * e;
+  return {*std::ranges::max_element(errors), std::sqrt(squares / static_cast<double>(uniform))};
 }
 
 }  // namespace impinge::lab

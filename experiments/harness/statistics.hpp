@@ -20,4 +20,20 @@ struct Summary {
 
 Summary summarise(std::span<const double> samples);  // NaN and 0 for no sample.
 
+// Summary statistics of many errors.
+
+// In the unit of the errors, which are not negative.
+struct ErrorSummary {
+  double max = 0.0;  // the largest
+  double rms = 0.0;  // root mean square
+};
+
+// The maximum is over all errors; the root mean square is over the first `uniform` of them, which
+// belong to directions spread evenly (the rest may be from chosen places, such as edges).
+// std::invalid_argument for no errors, an error that is NaN, or `uniform` above their number.
+ErrorSummary summarise_errors(std::span<const double> errors, std::size_t uniform);
+inline ErrorSummary summarise_errors(std::span<const double> errors) {
+  return summarise_errors(errors, errors.size());
+}
+
 }  // namespace impinge::lab

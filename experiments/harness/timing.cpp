@@ -14,7 +14,7 @@
 #include <benchmark/benchmark.h>
 
 #include "files/stopwatch.hpp"
-#include "harness/timing_repeats.hpp"
+#include "harness/timing.hpp"
 
 namespace impinge::lab {
 namespace {

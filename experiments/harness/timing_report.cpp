@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "harness/timing_report.hpp"
-
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <numeric>
+#include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
+
+#include <benchmark/benchmark.h>
+
+#include "files/stopwatch.hpp"
+#include "harness/timing.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -25,6 +33,36 @@ std::vector<Cell> cells_of(std::vector<Cell> key, const Timing& timing, bool ext
   key.insert(key.end(), {timing.summary.median, timing.summary.iqr, timing.summary.count, extrapolated,
                          timing.inconclusive, timing.repeats});
   return key;
+}
+
+constexpr double kSeconds = 1e-3;  // in a millisecond
+
+TimedCase with_enough_rounds(TimedCase work) {
+  work.rounds = std::max(work.rounds, kLeastRepeatRounds);
+  return work;
+}
+
+// Seconds that a repeat will take: the rounds of the case, and as many of its control.
+double repeat_s(const Timing& timing, const TimedCase& work) {
+  const double run_s = kSeconds * timing.summary.median * work.units;
+  return 2.0 * work.rounds * static_cast<double>(timing.batch) * run_s;
+}
+
+void repeat(Timing& timing, const TimedCase& work, int most, const RepeatMeans& means) {
+  while (timing.inconclusive && timing.repeats < most) {
+    if (means.elapsed_s() + repeat_s(timing, work) > means.budget_s) return;
+    const int repeats = timing.repeats + 1;
+    timing = means.alone(work).timings.front();
+    timing.repeats = repeats;
+  }
+}
+
+constexpr std::size_t kCacheLine = 64;  // bytes
+
+double seconds_of(const std::function<void()>& run, std::int64_t times) {
+  Stopwatch watch;
+  for (std::int64_t i = 0; i < times; ++i) run();
+  return watch.lap_s();
 }
 
 }  // namespace
@@ -116,6 +154,70 @@ void write_timed(DriverRun& driver, Result result, const std::vector<Column>& ke
   samples.table = samples_table(key_columns, run);
   driver.write(samples);
   warn_if_inconclusive(run, driver.progress);
+}
+
+void repeat_inconclusive(TimingRun& run, const std::vector<TimedCase>& cases, const RepeatMeans& means,
+                         Progress& progress) {
+  std::vector<std::size_t> doubtful;
+  std::vector<double> cost_s;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (run.timings[i].inconclusive) doubtful.push_back(i);
+    cost_s.push_back(repeat_s(run.timings[i], with_enough_rounds(cases[i])));
+  }
+  if (doubtful.empty() || run.options.most_repeats < 1) return;
+  progress.say("timing " + std::to_string(doubtful.size()) + " inconclusive cases again, each alone");
+  std::ranges::stable_sort(doubtful, {}, [&](std::size_t i) { return cost_s[i]; });
+  for (const std::size_t i : doubtful)
+    repeat(run.timings[i], with_enough_rounds(cases[i]), run.options.most_repeats, means);
+}
+
+std::string key_text(const std::vector<Cell>& key) {
+  std::string text;
+  for (const Cell& part : key) {
+    if (!text.empty()) text += '/';
+    text += part.text();
+  }
+  return text;
+}
+
+std::function<void()> overwrite_caches(std::size_t bytes) {
+  return [block = std::make_shared<std::vector<char>>(bytes)] {
+    for (std::size_t i = 0; i < block->size(); i += kCacheLine) ++(*block)[i];
+    benchmark::DoNotOptimize(block->data());
+    benchmark::ClobberMemory();
+  };
+}
+
+void check_cases(const std::vector<TimedCase>& cases) {
+  std::set<std::string> names;
+  for (const TimedCase& work : cases) {
+    const std::string name = key_text(work.key);
+    if (!names.insert(name).second) throw std::invalid_argument(name + ": two timed cases have this key");
+    if (!work.run || work.rounds < 1 || !(work.units > 0.0)) {
+      throw std::invalid_argument(name + ": a timed case needs work, units and at least one round");
+    }
+  }
+}
+
+RoundPlan plan_rounds(const TimedCase& work, const TimingOptions& options) {
+  RoundPlan plan{&work, key_text(work.key), 1, work.expected_s};
+  if (work.before) plan.before_s = seconds_of(work.before, 1);
+  if (work.expected_s > 0.0) return plan;
+  const double enough = options.min_round_ms / 1000.0;
+  double seconds = seconds_of(work.run, 1);
+  if (work.before) {
+    plan.run_s = seconds;
+    return plan;
+  }
+  if (1000.0 * seconds < options.slow_ms) seconds = seconds_of(work.run, 1);  // the first run was cold
+  while (seconds < enough && plan.batch < (std::int64_t{1} << 40)) {
+    const double factor = std::clamp(1.2 * enough / std::max(seconds, 1e-9), 2.0, 10.0);
+    plan.batch = static_cast<std::int64_t>(std::ceil(static_cast<double>(plan.batch) * factor));
+    seconds = seconds_of(work.run, plan.batch);
+  }
+  plan.run_s = seconds / static_cast<double>(plan.batch);
+  plan.warm_up = 1000.0 * plan.run_s < options.slow_ms;
+  return plan;
 }
 
 }  // namespace impinge::lab

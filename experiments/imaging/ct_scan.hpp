@@ -3,15 +3,32 @@
 //
 // The brightness of a voxel is the share of it that the body fills (partial volume); slices have no space
 // between them. The share is measured by lines along x, each cut exactly with the surface. The lines are at
-// most kLineSpacing (scan_lines.hpp) and half a voxel apart.
+// most kLineSpacing (ct_scan.cpp) and half a voxel apart.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
-#include "imaging/voxel_image.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "sphere/direction.hpp"
 
 namespace impinge {
+
+/// An image of voxels, such as CT gives: slices one above the other along +z.
+struct VoxelImage {
+  std::array<std::size_t, 3> count{};  // voxels along x, y, z
+  Vec3 spacing = Vec3::Ones();         // mm between middles: pixel, pixel, slice distance
+  Vec3 origin = Vec3::Zero();          // mm, middle of voxel (0, 0, 0)
+  std::vector<float> values;           // x fastest, then y, then z
+
+  /// Place of voxel (i, j, k) among the values.
+  std::size_t index(std::size_t i, std::size_t j, std::size_t k) const {
+    return (k * count[1] + j) * count[0] + i;
+  }
+  std::size_t size() const { return count[0] * count[1] * count[2]; }  // number of voxels
+};
 
 /// Resolution of a scanner.
 struct ScanGrid {

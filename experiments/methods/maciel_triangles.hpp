@@ -5,13 +5,55 @@
 // triangle that the table lost. Only one scan, socket vertices against the ball.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
 #include "gap/pose.hpp"
-#include "methods/triangle_table.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "table/layer.hpp"
 
 namespace impinge::lab {
+
+// A table with one triangle a direction, as Maciel et al. (2007) sample a joint (thesis, Sections 2.4
+// and 3.6.3).
+//
+// The rays are side x side: row i at the polar angle (i + 1/2) 180 / side degrees, column j at the azimuth
+// (j + 1/2) 360 / side. A ray stands for the patch of directions about it and refers to the one triangle that
+// it meets. Triangles that no ray meets are lost: the capturing error.
+
+inline constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();  // no triangle is met
+
+struct TriangleTable {
+  std::size_t side = 0;             // rays along a side of the square of rays
+  std::vector<std::uint32_t> face;  // of each ray, row by row; kNoFace where none is met
+
+  std::size_t bytes() const { return face.size() * sizeof(std::uint32_t); }  // of the face numbers
+};
+
+// Unit vector of a ray, by its number (row by row), in a table of this side.
+Vec3 ray_direction(std::size_t side, std::size_t ray);
+std::size_t ray_of(std::size_t side, const Vec3& x);  // number of the ray in whose patch x is; x not 0
+
+// Radius along x (any length above zero) of a face, mm, boundary included; kNoSurface where x does not meet
+// it: r = det(a, b, c) / (det(u, b, c) + det(a, u, c) + det(a, b, u)) with all three of one sign.
+double radius_on(const TriangleMesh& mesh, const Face& face, const Vec3& x);
+
+// Every ray against every triangle, O(rays x triangles), as published. mesh in the centre frame. Of triangles
+// at the same distance along a ray the first is kept. std::invalid_argument for side 0.
+TriangleTable fill_triangles_pairwise(const TriangleMesh& mesh, std::size_t side, Layer layer);
+
+// The same table, faster: each triangle is tested against the rays near it only.
+TriangleTable fill_triangles(const TriangleMesh& mesh, std::size_t side, Layer layer);
+
+// Radius along x (mm) of the triangle that the ray of x refers to; kNoSurface if there is none or x does not
+// meet it.
+double radius_at(const TriangleTable& table, const TriangleMesh& mesh, const Vec3& x);
+
+// Faces that no ray refers to. Those whose plane holds the centre, exactly, cannot be met and do not count.
+std::size_t missed_faces(const TriangleTable& table, const TriangleMesh& mesh);
 
 class MacielTriangles {
  public:

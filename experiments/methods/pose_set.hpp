@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/benchmark_scene.hpp"
 #include "methods/method.hpp"
 
 namespace impinge::lab {
@@ -31,5 +32,12 @@ void require_agreement(const TouchCase& method, const TouchCase& oracle, const s
 
 // Number of poses that touch. This is the work that is timed: one answer a pose.
 int count_touching(const TouchCase& method, const std::vector<NamedPose>& poses);
+
+// The smallest distance between ball and socket in a pose, from pairs of triangles: the reference for methods
+// that answer for a whole pose.
+
+// Euclidean, mm, up to rounding; 0 if the surfaces meet (decided exactly). Triangles of the ball that cannot
+// be nearer than the nearest vertex are skipped.
+double surface_distance(const BenchmarkScene& scene);
 
 }  // namespace impinge::lab

@@ -8,7 +8,7 @@
 
 #include "files/csv.hpp"
 #include "methods/baseline.hpp"
-#include "methods/table_check.hpp"
+#include "methods/table_scan.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"
 #include "sphere/walker.hpp"

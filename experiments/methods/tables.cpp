@@ -10,7 +10,6 @@
 #include <string_view>
 #include <utility>
 
-#include "methods/table_bounds.hpp"
 #include "methods/table_query.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/stored_table.hpp"

@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "mesh/star_shape.hpp"
-#include "methods/resampled.hpp"
-#include "methods/table_bounds.hpp"
 #include "methods/table_query.hpp"
+#include "methods/thesis_fills.hpp"
 #include "sphere/schemes/usid.hpp"
 
 namespace impinge::lab {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "methods/triangle_table.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "methods/maciel_triangles.hpp"
 #include "sphere/angular_box.hpp"
 #include "sphere/radial_table.hpp"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "methods/voxel_table.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "mesh/triangle_distance.hpp"
+#include "methods/hu_voxels.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "phantoms/implant.hpp"
-
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "contact/culled_joint.hpp"
+#include "gap/gap_scan.hpp"
+#include "mesh/bodies.hpp"
 #include "mesh/loft.hpp"
-#include "phantoms/phantom_meshes.hpp"
+#include "phantoms/phantom.hpp"
+#include "sphere/schemes/rsid.hpp"
+#include "table/exact_raster.hpp"
+#include "table/table_bound.hpp"
 
 namespace impinge {
 namespace {
@@ -101,11 +107,129 @@ TriangleMesh make_cup(std::size_t sides) {
   return revolve({rings, -outwards(45.0 * kDegree, 20.0 * kDegree), Vec3::Zero(), sides});
 }
 
+constexpr double kFirst = 2e-4;   // radians, the first ring about a place of contact
+constexpr double kGrowth = 1.15;  // of the next one
+constexpr double kCoarsest = 0.15;
+
+constexpr double kInner = 20.0;  // mm
+constexpr double kOuter = 26.0;
+
+// How far a face of a mesh inscribed in a sphere about `centre` is inside of it, mm, along directions from
+// the origin: the sagitta R - d, d the distance of the plane, over the cosine of the largest angle between a
+// direction and the sphere's normal, whose sine is |centre| / R, less the tilt of a face against the normal
+// at its corners.
+double depth_of_faces(const TriangleMesh& mesh, double radius, const Vec3& centre) {
+  double depth = 0.0;
+  for (const Face& face : mesh.faces) {
+    const Vec3 normal = area_vector(mesh, face).normalized();
+    const double tilt = std::acos(std::min(1.0, normal.dot(corner(mesh, face, 0) - centre) / radius));
+    const double incidence = std::asin(centre.norm() / radius) + tilt;
+    depth = std::max(depth, radius * (1.0 - std::cos(tilt)) / std::cos(incidence));
+  }
+  return depth;
+}
+
+struct Spheres {
+  Vec3 centre;  // of the ball
+  PhantomSizes sizes;
+  TriangleMesh ball = sphere(kInner, sizes.faces, centre);
+  TriangleMesh socket = sphere(kOuter, sizes.faces);
+
+  double gap(const Vec3& u) const { return kOuter - eccentric_sphere_radius(u, kInner, centre); }
+};
+
+// The gap at the vertex of the ball next to where it is smallest. No face of the socket is beyond its sphere,
+// so that the smallest of all vertices is no larger.
+double gap_at_nearest(const Spheres& spheres) {
+  double least = HUGE_VAL;
+  for (const Vec3& x : spheres.ball.vertices) least = std::min(least, spheres.gap(x.normalized()));
+  return least;
+}
+
+// The largest error of the gaps of one scan, by tables.
+double largest_error(const Spheres& spheres, const std::vector<Vec3>& vertices,
+                     std::span<const double> gaps) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    largest = std::max(largest, std::abs(gaps[i] - spheres.gap(vertices[i].normalized())));
+  return largest;
+}
+
+void add_rows(const Spheres& spheres, std::vector<PhantomRow>& rows) {
+  const std::string name =
+      "eccentric spheres by " + std::to_string(std::lround(spheres.centre.norm())) + " mm";
+  const double ball_depth = depth_of_faces(spheres.ball, kInner, spheres.centre);
+  const double socket_depth = depth_of_faces(spheres.socket, kOuter, Vec3::Zero());
+  const BallSocketPair joint{spheres.ball, spheres.socket};
+  const double smallest = CulledJoint(joint).least_gap({})->gap_mm;
+  const double closed = kOuter - kInner - spheres.centre.norm();
+  rows.push_back({name, "smallest gap of a vertex on faces, mm", closed, smallest, smallest - closed,
+                  std::max({ball_depth, socket_depth, gap_at_nearest(spheres) - closed}), true});
+  const Rsid scheme = Rsid::with_precision(spheres.sizes.precision_deg);
+  const auto socket_table = fill_exact(spheres.socket, scheme, Layer::nearest);
+  const auto ball_table = fill_exact(spheres.ball, scheme, Layer::farthest);
+  std::vector<double> gaps(spheres.ball.vertices.size());
+  scan_gaps(socket_table, spheres.ball.vertices, {}, Surface::ball, gaps);
+  const BoundOptions a_priori{1.05, 0};
+  double error = largest_error(spheres, spheres.ball.vertices, gaps);
+  rows.push_back({name, "gaps of the ball's vertices by table, largest error, mm", 0.0, error, error,
+                  socket_depth + table_bound(spheres.socket, socket_table, Layer::nearest, a_priori).bound_mm,
+                  true});
+  gaps.resize(spheres.socket.vertices.size());
+  scan_gaps(ball_table, spheres.socket.vertices, {}, Surface::socket, gaps);
+  error = largest_error(spheres, spheres.socket.vertices, gaps);
+  rows.push_back({name, "gaps of the socket's vertices by table, largest error, mm", 0.0, error, error,
+                  ball_depth + table_bound(spheres.ball, ball_table, Layer::farthest, a_priori).bound_mm,
+                  true});
+}
+
 }  // namespace
 
 BallSocketPair make_implant(std::size_t faces) {
   const auto sides = static_cast<std::size_t>(std::lround(std::sqrt(0.25 * static_cast<double>(faces))));
   return {make_stem(sides), make_cup(sides)};
+}
+
+TriangleMesh revolve(const Revolution& body) {
+  const Vec3 x = body.axis.unitOrthogonal();
+  const Vec3 y = body.axis.cross(x);
+  std::vector<std::vector<Vec3>> rings;
+  for (const LatheRing& ring : body.rings) {
+    std::vector<Vec3>& points = rings.emplace_back();
+    if (ring.polar == 0.0 || ring.polar == kPi) {
+      points.push_back(body.centre + (ring.polar == 0.0 ? ring.radius : -ring.radius) * body.axis);
+      continue;
+    }
+    for (std::size_t k = 0; k < body.sides; ++k) {
+      const CosSin at = half_turn_fraction(2 * static_cast<long>(k), static_cast<long>(body.sides));
+      points.push_back(body.centre + ring.radius * (std::cos(ring.polar) * body.axis +
+                                                    std::sin(ring.polar) * (at.cos * x + at.sin * y)));
+    }
+  }
+  return loft(rings);
+}
+
+std::vector<LatheRing> sphere_rings(double radius, double to, double step) {
+  const auto steps = static_cast<std::size_t>(std::ceil(to / step));
+  std::vector<LatheRing> rings;
+  for (std::size_t k = 0; k < steps; ++k)
+    rings.push_back({to * static_cast<double>(k) / static_cast<double>(steps), radius});
+  rings.push_back({to, radius});
+  return rings;
+}
+
+std::vector<LatheRing> focused_rings(double radius) {
+  std::vector<LatheRing> rings{{0.0, radius}};
+  for (double polar = kFirst; polar < kPi - kCoarsest; polar += std::min((kGrowth - 1.0) * polar, kCoarsest))
+    rings.push_back({polar, radius});
+  rings.push_back({kPi, radius});
+  return rings;
+}
+
+std::vector<PhantomRow> phantom_gaps(const PhantomSizes& sizes) {
+  std::vector<PhantomRow> rows;
+  for (const double by : {1.0, 2.0, 5.0}) add_rows({by * Vec3(1.0, 2.0, 2.0) / 3.0, sizes}, rows);
+  return rows;
 }
 
 }  // namespace impinge

@@ -11,7 +11,7 @@
 #include "limits/sinusoid.hpp"
 #include "limits/turn_limit.hpp"
 #include "mesh/generated_pair.hpp"
-#include "phantoms/phantom_meshes.hpp"
+#include "phantoms/phantom.hpp"
 
 namespace impinge {
 namespace {

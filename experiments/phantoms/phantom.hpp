@@ -31,6 +31,7 @@
 #include <vector>
 
 #include "mesh/ball_socket_pair.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace impinge {
 
@@ -69,5 +70,39 @@ std::vector<PhantomRow> phantom_limits(const PhantomSizes& sizes = {});
 
 /// Eccentric spheres: the smallest gap of a vertex by exact faces, and gaps by table at every vertex.
 std::vector<PhantomRow> phantom_gaps(const PhantomSizes& sizes = {});
+
+// A replaced hip: a head of 32 mm on a stem, in a cup.
+
+/// Mm, the joint frame of a right hip, the centre of the head as origin. The stem: the head with a neck of
+/// 12 mm, 45 degrees to the shaft and 10 of anteversion, and a shaft that narrows to its end, 180 mm below.
+/// The cup: a shell round a hemisphere 0.1 mm beyond the head, open at 45 degrees of inclination and 20 of
+/// anteversion. Both are closed, with outward normals, and have about half of the faces. The clearance asks
+/// for 10,000 faces or more.
+BallSocketPair make_implant(std::size_t faces);
+
+// Bodies of revolution for the phantoms: rings of vertices about an axis.
+
+/// A ring of vertices: `radius` mm from the origin, `polar` radians from the axis. At 0 and pi it is a pole.
+struct LatheRing {
+  double polar = 0.0;   // radians
+  double radius = 0.0;  // mm
+};
+
+/// Rings from one pole, about a unit axis through `centre`, `sides` vertices each; closed if the last is a
+/// pole.
+struct Revolution {
+  std::vector<LatheRing> rings;  // in order from the first pole
+  Vec3 axis = Vec3::UnitZ();     // unit vector, towards the first pole
+  Vec3 centre = Vec3::Zero();    // mm
+  std::size_t sides = 360;       // vertices of a ring
+};
+TriangleMesh revolve(const Revolution& body);  // its mesh, normals outward
+
+/// Rings of a sphere of `radius` mm from the axis to `to` radians, `step` radians apart.
+std::vector<LatheRing> sphere_rings(double radius, double to, double step);
+
+/// Rings of a whole sphere of `radius` mm about the axis, closer together towards it: each is 1.15 times as
+/// far from the axis as the one before.
+std::vector<LatheRing> focused_rings(double radius);
 
 }  // namespace impinge

@@ -8,15 +8,41 @@
 // h): 1e-11 for RSID at 1 degree.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "scheme_metrics/distinct_directions.hpp"
-#include "scheme_metrics/sphere_triangles.hpp"
 #include "sphere/direction.hpp"
 
 namespace impinge {
+
+// Entries that share one direction, as those of a pole row or on the edges of a cube map do, taken together.
+
+/// Entries no farther apart count as one direction: far above rounding, far below any spacing. Radians.
+inline constexpr double kCoincident = 1e-9;
+
+struct DistinctDirections {
+  std::vector<Vec3> direction;        // that of the first entry of each
+  std::vector<std::size_t> of_entry;  // place of each entry in `direction`
+  std::vector<std::size_t> entries;   // number of entries of each direction
+};
+
+/// Unit vectors in, in the order of the entries; directions come out in the order of their first entry.
+/// std::invalid_argument where one is not finite or is zero.
+DistinctDirections distinct_directions(std::span<const Vec3> entries);
+
+// The Delaunay triangulation of directions on the sphere, by CGAL with exact predicates; no header of CGAL is
+// needed to use it.
+
+/// Places of three directions, counter-clockwise as seen from outside.
+using SphereTriangle = std::array<std::size_t, 3>;
+
+/// Triangles whose circles hold no other direction inside: 2 n - 4 for n directions, which are taken as rays,
+/// so that the rounding of their lengths does not count. Where four or more lie on one circle any of their
+/// triangulations is right, and one is chosen. Throws std::invalid_argument for fewer than four directions,
+/// for directions that all lie in one hemisphere, two that are the same, and one that is zero or not finite.
+std::vector<SphereTriangle> delaunay_triangles(std::span<const Vec3> directions);
 
 /// A circle with no direction inside.
 struct EmptyCircle {

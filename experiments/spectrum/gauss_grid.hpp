@@ -4,9 +4,12 @@
 
 #include <cstddef>
 #include <functional>
+#include <string_view>
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
 #include "sphere/direction.hpp"
+#include "table/layer.hpp"
 
 namespace impinge {
 
@@ -40,5 +43,42 @@ std::vector<double> sample(const GaussGrid& grid, const std::function<double(con
 
 /// Share of the sphere, by solid angle, on which the values are numbers.
 double covered_share(const GaussGrid& grid, const std::vector<double>& values);
+
+// The radii of a mesh along the directions of a Gauss grid.
+
+/// mesh in the centre frame; mm, kNoSurface where no face is met. Equal to RayCaster but for rounding, in a
+/// time that grows with faces + directions and not with their product.
+std::vector<double> grid_radii(const GaussGrid& grid, const TriangleMesh& mesh, Layer layer);
+
+// A sphere in parallel slices, as CT gives it (thesis, Section 3.5.2, Figure 45).
+
+/// Slice i lies i thicknesses above the middle plane, which holds the centre.
+struct Slice {
+  std::size_t index = 0;  // i, from the middle slice
+  double height = 0.0;    // mm
+  double phi = 0.0;  // angle from the axis at which the slice cuts the sphere, arccos(height / r), radians
+  double gap = 0.0;  // difference of phi to the slice below, radians; 0 for slice 0
+};
+
+/// Slices of the upper half, the middle one first: all with height <= radius (mm). A sphere is cut by twice
+/// as many less one. std::invalid_argument unless 0 < thickness <= radius.
+std::vector<Slice> slices_of_sphere(double radius, double thickness);
+
+// A surface with holes, such as a femoral head cut off at its neck, continued over all directions.
+
+/// How a hole is filled. Neither changes a value that is there.
+///   membrane  zero Laplacian in the hole, equal to the values round it: the steady temperature. Of all
+///             continuous fillings it has the least sum l (l + 1) |a_lm|^2 and no extreme of its own; it has
+///             a kink at the edge, which puts power into high degrees.
+///   plate     least integral of the squared Laplacian, the least sum l^2 (l + 1)^2 |a_lm|^2: a bent plate,
+///             which goes on with the slope of the surface and has no kink. It may overshoot.
+enum class Filling { membrane, plate };
+
+std::string_view name_of(Filling filling);  // "membrane" or "plate"
+
+/// Replaces the NaNs among `values`, one for each direction of the grid, row by row. Finite volumes on the
+/// grid, solved directly. std::invalid_argument for another number of values or if all are NaN;
+/// std::runtime_error if the equations cannot be solved.
+std::vector<double> fill_holes(const GaussGrid& grid, std::vector<double> values, Filling filling);
 
 }  // namespace impinge

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "sphere/direction.hpp"
-#include "stress/include_error.hpp"
+#include "stress/family.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -2,6 +2,7 @@
 #include "stress/family.hpp"
 
 #include <cstddef>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -34,6 +35,41 @@ void add(StabilityCase& sum, const StabilityCase& other) {
     sum.bound_um = other.bound_um;
     sum.error_um = other.error_um;
   }
+}
+
+constexpr std::size_t kLeastMagnitudes = 5;
+
+const std::vector<Column> kKey{{"family", "", "see stability_families.csv"},
+                               {"magnitude", "", "of the parameter, in the unit of the family"},
+                               {"method", "", "SCHEME, SCHEME_mesh_exact, cone_rays (ours), or by library"},
+                               {"scalar", "", "float or double: what the answers are computed or stored in"}};
+
+std::vector<Column> with_key(const std::vector<Column>& more) {
+  std::vector<Column> columns = kKey;
+  columns.insert(columns.end(), more.begin(), more.end());
+  return columns;
+}
+
+std::vector<Cell> row_of(const StabilityFamily& family, const StabilityCase& c, std::vector<Cell> more) {
+  std::vector<Cell> row{family.name, c.magnitude, c.method, name_of(c.scalar)};
+  row.insert(row.end(), more.begin(), more.end());
+  return row;
+}
+
+// A refused case has no counts: empty, not 0.
+Cell count(const StabilityCase& c, std::size_t number) { return c.refused.empty() ? Cell(number) : Cell(); }
+
+Cell flag(const std::optional<bool>& value) { return value ? Cell(*value) : Cell(); }
+
+void add_case(const StabilityFamily& family, const StabilityCase& c, StabilityTables& tables) {
+  tables.main.add_row(row_of(family, c,
+                             {c.condition, c.relative_error, c.error_over_condition_u, count(c, c.failures()),
+                              flag(c.bound_holds())}));
+  tables.detail.add_row(
+      row_of(family, c,
+             {c.kind, c.threshold, c.backward_error_over_u, c.stiffness, count(c, c.questions),
+              count(c, c.nan), count(c, c.false_hits), count(c, c.missed_hits), count(c, c.wrong),
+              count(c, c.withheld), !c.refused.empty(), c.refused, c.error_um, c.bound_um}));
 }
 
 }  // namespace
@@ -73,6 +109,82 @@ std::vector<std::string> broken(const StabilityFamily& family, const std::vector
     lines.push_back(line.str());
   }
   return lines;
+}
+
+StabilityTables make_stability_tables() {
+  StabilityTables tables;
+  tables.main.columns = with_key(
+      {{"condition", "1",
+        "largest over the questions, of tan psi and of the plane, see measure.hpp; or as the family says"},
+       {"relative_error", "1", "largest; of a table at its entries"},
+       {"error_over_condition_u", "1", "largest, u the unit roundoff of the scalar"},
+       {"failures", "1",
+        "answers that are no numbers, false hits, missed hits and wrong values; empty if refused"},
+       {"bound_holds", "",
+        "is no look-up between entries farther off than proven? Empty: nothing is proven"}});
+  tables.detail.columns =
+      with_key({{"kind", "", "ours, library or brute"},
+                {"threshold", "1", "error_over_condition_u above it is wrong"},
+                {"backward_error_over_u", "1",
+                 "largest relative error over tan psi and u, where tan psi is 1 or more"},
+                {"stiffness", "1", "largest tan psi of the scene over its median"},
+                {"questions", "1", "entries that were read and directions that were asked"},
+                {"nan", "1", "answers that are no numbers or no lengths"},
+                {"false_hits", "1", "answers where there is no surface"},
+                {"missed_hits", "1", "no answer where there is one, those withheld aside"},
+                {"wrong", "1", "errors above the threshold, or bits that should be the same and are not"},
+                {"withheld", "1", "look-ups that a table leaves unanswered since a rim crosses their cell"},
+                {"refused", "", "was the case refused, as documented?"},
+                {"refusal", "", "the line of the refusal"},
+                {"error_um", "um", "largest error of a look-up between entries"},
+                {"bound_um", "um", "proven bound on it"}});
+  tables.families.columns = {
+      {"family", "", "file in experiments/stress/families"},
+      {"parameter", "", "what is varied"},
+      {"unit", "", "of the magnitudes"},
+      {"magnitudes", "1", "how many"},
+      {"expected", "", "of ours, stated before the run"},
+      {"threshold", "1", "on error_over_condition_u of ours in double"},
+      {"derivation", "", "of the threshold"},
+      {"seen", "1",
+       "largest error_over_condition_u of ours in double before, rounded down: a run "
+       "breaks on twice as much"},
+      {"seen_in_float", "1", "the same of ours stored in float"},
+      {"cases", "1", "methods at magnitudes, of ours"},
+      {"refused", "1", "of those"},
+      {"broken", "1", "of those: failures outside of what is refused, and errors above twice what was seen"}};
+  return tables;
+}
+
+void run_family(const StabilityFamily& family, const StabilityRun& run, StabilityTables& tables) {
+  const std::vector<StabilityCase> cases = family.run(run);
+  std::set<double> magnitudes;
+  std::size_t ours = 0;
+  std::size_t refused = 0;
+  for (const StabilityCase& c : cases) {
+    magnitudes.insert(c.magnitude);
+    ours += c.kind == "ours" ? 1U : 0U;
+    refused += c.kind == "ours" && !c.refused.empty() ? 1U : 0U;
+    add_case(family, c, tables);
+  }
+  if (magnitudes.size() < kLeastMagnitudes)
+    throw std::logic_error("family " + family.name + " has fewer than 5 magnitudes: add some");
+  const std::vector<std::string> lines = broken(family, cases);
+  tables.broken.insert(tables.broken.end(), lines.begin(), lines.end());
+  tables.families.add_row({family.name, family.parameter, family.unit, magnitudes.size(), family.expected,
+                           family.threshold, family.derivation, family.seen[0], family.seen[1], ours, refused,
+                           lines.size()});
+}
+
+StabilityTables run_stability(const StabilityRun& run, Progress& progress) {
+  StabilityTables tables = make_stability_tables();
+  const std::vector<StabilityFamily> families = stability_families();
+  progress.begin(static_cast<double>(families.size()));
+  for (const StabilityFamily& family : families) {
+    run_family(family, run, tables);
+    progress.advance(1.0, family.name);
+  }
+  return tables;
 }
 
 }  // namespace impinge::lab

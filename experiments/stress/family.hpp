@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -20,6 +21,9 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "files/csv.hpp"
+#include "harness/driver.hpp"
 
 namespace impinge::lab {
 
@@ -94,5 +98,39 @@ std::vector<StabilityFamily> stability_families();
 // What makes the run fail, one line each: a failure of ours, a bound that does not hold, or an error of more
 // than twice what was seen.
 std::vector<std::string> broken(const StabilityFamily& family, const std::vector<StabilityCase>& cases);
+
+// What the families come to, as tables.
+
+// The three tables of the results, row by row.
+struct StabilityTables {
+  Table main;      // stability.csv
+  Table detail;    // stability_detail.csv
+  Table families;  // stability_families.csv
+  // One line for each failure of ours outside of what it refuses.
+  std::vector<std::string> broken;
+};
+StabilityTables make_stability_tables();  // with their columns, and no row
+
+// Runs the family and adds its rows. Throws std::logic_error for a family of fewer than 5 magnitudes.
+void run_family(const StabilityFamily& family, const StabilityRun& run, StabilityTables& tables);
+
+// Of all families, one after the other.
+StabilityTables run_stability(const StabilityRun& run, Progress& progress);
+
+// One question more in a case whose answers are numbers of any kind.
+
+// error: relative to the truth; not finite where the answer was no number. The threshold of the case is set.
+inline void include_error(StabilityCase& result, double error, double condition) {
+  ++result.questions;
+  if (!std::isfinite(error)) {
+    ++result.nan;
+    return;
+  }
+  const double share = error / (condition * unit_roundoff(result.scalar));
+  result.condition = std::fmax(result.condition, condition);  // of a NaN and a number the number
+  result.relative_error = std::fmax(result.relative_error, error);
+  result.error_over_condition_u = std::fmax(result.error_over_condition_u, share);
+  if (share > result.threshold) ++result.wrong;
+}
 
 }  // namespace impinge::lab

@@ -12,12 +12,32 @@
 #include <string>
 #include <vector>
 
-#include "stress/conditions.hpp"
+#include "mesh/triangle_mesh.hpp"
 #include "stress/family.hpp"
 #include "stress/methods.hpp"
-#include "stress/scene.hpp"
 
 namespace impinge::lab {
+
+// How much of its digits a radius may lose.
+//
+// Along the plane n . x = p the radius is r = p / (n . u), and d ln r / d angle = tan psi, psi the angle from
+// u to the normal: a rounding of the direction costs 1 + tan psi. That is the condition, at an edge or vertex
+// the largest of the faces that meet there. How thin a face is does not count: its plane is as certain as its
+// corners are (sphere/face_plane.hpp).
+
+// How steep the surface is along one direction.
+struct RayCondition {
+  double slope = 0.0;                               // tan psi of the nearest face
+  double condition() const { return 1.0 + slope; }  // relative error of the radius for one of the direction
+};
+
+// Of the nearest face along each direction, 0 where there is none. mesh in the centre frame. In extended
+// precision, and with none of the library's own planes.
+std::vector<RayCondition> conditions_along(const TriangleMesh& mesh, std::span<const Vec3> directions);
+
+// Largest tan psi over the median one, each face seen along its centroid. 1 for a sphere about the centre at
+// most; above 1000 a scene is stiff.
+double stiffness(const TriangleMesh& mesh);
 
 // Of ours in double, from the operations of TriangleCone::radius() = (n . v0) / (n . u). With u = 2^-53, s =
 // |b - a| |c - a| and |n| <= s, the 4 roundings of n = (b - a) x (c - a), each of at most sqrt(4/3) s, and

@@ -2,15 +2,30 @@
 // The methods that a case of radii goes through: ours, and the others beside them.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "mesh/triangle_mesh.hpp"
 #include "methods/points.hpp"
 #include "stress/family.hpp"
-#include "stress/scene.hpp"
 #include "table/table_bound.hpp"
 
 namespace impinge::lab {
+
+// What the methods of one case are asked, and of which surface.
+
+// A surface and the directions along which it is asked.
+struct StabilityScene {
+  TriangleMesh mesh;  // centre frame, mm
+  // Of any length above zero. Rays are cast along them; tables are looked up there, and examined at their own
+  // entries too.
+  std::vector<Vec3> directions;
+  // Places of two directions that are the same one, differently written: answers have the same bits.
+  std::vector<std::array<std::size_t, 2>> twins;
+  double precision_deg = 10.0;  // of the tables
+};
 
 // Does the ray along x meet the face? Exact; u is x normalised.
 bool is_met(const TriangleCone& cone, const Vec3& x, const Vec3& u);

@@ -13,7 +13,7 @@
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "limits/turn_limit.hpp"
-#include "phantoms/phantom_meshes.hpp"
+#include "phantoms/phantom.hpp"
 #include "support/joined.hpp"
 #include "support/random_cases.hpp"
 #include "support/turned.hpp"

@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "curves/conchoid_rays.hpp"
+#include "curves/conchoid_surface.hpp"
+#include "hip/sphere_fit.hpp"
 #include "sphere/direction.hpp"
 
 namespace impinge {
@@ -91,6 +95,101 @@ TEST(ConchoidRays, RefusesTooFewRaysAndNoForm) {
   for (const ConchoidClosedForm& none : {ConchoidClosedForm{0.0, 0.0}, {-1.0, -1.0}, {std::nan(""), 1.0}}) {
     EXPECT_THROW(adjusted_angles(none, 4), std::invalid_argument);
   }
+}
+
+// Segments between rays at equal angles from points of the axis (thesis, Figure 53).
+
+const ConchoidShape kCircle{22.0, 0.0};
+
+TEST(ConchoidSpacing, FromTheConchoidsOriginIsTheSpeed) {
+  for (const double phi : {0.0, 0.4, 1.0, 0.5 * kPi}) {
+    EXPECT_NEAR(spacing_rate({}, 0.0, phi), conchoid_speed({}, phi), 1e-12);
+    EXPECT_NEAR(ray_angle({}, 0.0, phi), phi, 1e-15);
+  }
+}
+
+TEST(ConchoidSpacing, OfACircleAboutItsCentreIsEven) {
+  for (const double length : segment_lengths(kCircle, 0.0, 31)) EXPECT_NEAR(length, 11.0 * kPi / 30.0, 1e-12);
+}
+
+// A chord through a point off the centre: the rate is distance^2 / distance of the tangent from the point.
+TEST(ConchoidSpacing, OfACircleAboutAPointOffItsCentre) {
+  for (const double phi : {0.0, 0.4, 1.0, 0.5 * kPi}) {
+    const double square = 22.0 * 22.0 + 25.0 - 2.0 * 22.0 * 5.0 * std::cos(phi);
+    EXPECT_NEAR(spacing_rate(kCircle, 5.0, phi), square / (22.0 - 5.0 * std::cos(phi)), 1e-12);
+  }
+}
+
+TEST(ConchoidSpacing, RateIsTheLimitOfSegments) {
+  const double h = 1e-5;
+  for (const double height : {0.0, 12.0, 19.0, 37.0}) {
+    for (const double phi : {0.2, 0.9, 1.5}) {
+      const double arc = meridian_length({}, phi + h) - meridian_length({}, phi - h);
+      const double angle = ray_angle({}, height, phi + h) - ray_angle({}, height, phi - h);
+      EXPECT_NEAR(spacing_rate({}, height, phi), arc / angle, 1e-6 * arc / angle);
+    }
+  }
+}
+
+TEST(ConchoidSpacing, CutsAreAtEqualAnglesAndSegmentsMakeTheArc) {
+  for (const SamplingOrigin& at : sampling_origins({})) {
+    const auto cuts = ray_cuts({}, at.height, 10);
+    const double end = ray_angle({}, at.height, 0.5 * kPi);
+    for (std::size_t i = 0; i < 10; ++i) {
+      EXPECT_NEAR(ray_angle({}, at.height, cuts[i]), end * static_cast<double>(i) / 9.0, 1e-13) << at.name;
+    }
+    const auto lengths = segment_lengths({}, at.height, 10);
+    EXPECT_NEAR(std::accumulate(lengths.begin(), lengths.end(), 0.0), meridian_length({}, 0.5 * kPi), 1e-11);
+  }
+}
+
+TEST(ConchoidSpacing, RefusesOriginsOutsideAndTooFewRays) {
+  for (const double height : {-1.0, 38.344, 50.0, std::nan("")}) {
+    EXPECT_THROW(spacing_rate({}, height, 1.0), std::invalid_argument);
+    EXPECT_THROW(ray_cuts({}, height, 5), std::invalid_argument);
+  }
+  EXPECT_THROW(ray_cuts({}, 1.0, 0), std::invalid_argument);
+  EXPECT_THROW(segment_lengths({}, 1.0, 1), std::invalid_argument);
+  EXPECT_EQ(segment_lengths({}, 1.0, 2).size(), 1U);
+}
+
+// Centres of a conchoid's cap: of a circle in closed form, the best sphere against a fit of points.
+
+const ConchoidShape kRound{22.0, 0.0};
+
+// Of a circle every whole-curve centre is the circle's; of the half circle r / 2 and 2 r / pi are known.
+TEST(ConchoidOrigins, CentresOfACircle) {
+  for (const SamplingOrigin& at : sampling_origins(kRound)) {
+    double expected = 0.0;
+    if (at.name == "cap_extent_middle" || at.name == "cap_surface_centroid") expected = 11.0;
+    if (at.name == "cap_curve_centroid") expected = 44.0 / kPi;
+    EXPECT_NEAR(at.height, expected, 1e-9) << at.name;
+  }
+  EXPECT_GE(sampling_origins(kRound).size(), 4U);
+  EXPECT_EQ(sampling_origins({}).size(), 9U);
+}
+
+// Against the fit of points that stand for equal areas.
+TEST(ConchoidOrigins, BestSphereIsThatOfTheSurface) {
+  const auto points = conchoid_spiral({}, 20000);
+  const SphereFit expected = fit_sphere(points);
+  const AxialSphere sphere = fit_axial_sphere({});
+  EXPECT_NEAR(sphere.height, expected.centre.z(), 1e-3);
+  EXPECT_NEAR(sphere.radius, expected.radius, 1e-3);
+  double lowest = 0.0;
+  double highest = 0.0;
+  for (const Vec3& p : points) {
+    const double residual = (p - expected.centre).norm() - expected.radius;
+    lowest = std::min(lowest, residual);
+    highest = std::max(highest, residual);
+  }
+  EXPECT_NEAR(sphere.lowest_residual, lowest, 5e-3);
+  EXPECT_NEAR(sphere.highest_residual, highest, 5e-3);
+}
+
+TEST(ConchoidOrigins, RefusesWhatIsNoShape) {
+  EXPECT_THROW(sampling_origins({1.0, 2.0}), std::invalid_argument);
+  EXPECT_THROW(fit_axial_sphere({0.0, 0.0}), std::invalid_argument);
 }
 
 }  // namespace

@@ -4,13 +4,19 @@
 #include "curves/helix_length.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "curves/quadrature.hpp"
+#include "curves/gsl.hpp"
+#include "curves/helix_length.hpp"
 #include "sphere/direction.hpp"
+#include "sphere/scheme.hpp"
+#include "sphere/schemes/usid.hpp"
+#include "support/directions.hpp"
 
 namespace impinge {
 namespace {
@@ -110,6 +116,201 @@ TEST(HelixLength, RefusesWhatIsNoHelixAndNoPlaceOnIt) {
     EXPECT_THROW(polar_angle_at_length(10.0, length), std::invalid_argument);
     EXPECT_THROW(polar_angle_at_travelled_distance(10.0, length), std::invalid_argument);
   }
+}
+
+// Entries at equal T (Eq. 10) and at equal arc length; the index that Eq. 10 gives for the latter.
+
+// cos(phi_i) = 1 - 2 i / (w - 1), the entries of the scheme.
+TEST(HelixEntries, AtEqualTravelAreThoseOfUsid) {
+  for (const std::size_t turns : {2UL, 10UL, 229UL, 100000UL}) {
+    const HelixEntries entries = thesis_entries(turns);
+    const Usid usid = Usid::with_turns(turns);
+    ASSERT_EQ(entries.count, usid.size());
+    for (std::size_t i = 0; i < entries.count; i += 1 + entries.count / 1000) {
+      ASSERT_NEAR(polar_angle_of_equal_travel(entries, i), to_angles(usid.direction(i)).phi, 1e-14);
+    }
+    EXPECT_EQ(polar_angle_of_equal_travel(entries, 0), 0.0);
+    EXPECT_EQ(polar_angle_of_equal_travel(entries, entries.count - 1), kPi);
+  }
+}
+
+// By definition: index of Eq. 10 at an entry that stands at place i, minus i.
+TEST(IndexMismatch, IsTheIndexOfEq10MinusTheEntry) {
+  const HelixEntries entries = thesis_entries(229);
+  const double dx = helix_total_length(229.0) / 52440.0;
+  for (const std::size_t i : {0UL, 1UL, 77UL, 1000UL, 26220UL, 50000UL, 52440UL}) {
+    const double phi = polar_angle_of_equal_arc(entries, i);
+    const double t = travelled_distance(229.0, phi);
+    EXPECT_NEAR(index_mismatch(entries, HelixSpacing::true_arc, phi), t / dx - static_cast<double>(i), 1e-8);
+    EXPECT_NEAR(index_mismatch(entries, HelixSpacing::travelled, phi),
+                t / (917.0 / 52440.0) - static_cast<double>(i), 1e-8);
+  }
+}
+
+// Against the largest over many places.
+TEST(IndexMismatch, LargestIsWhereItIsSaidToBe) {
+  for (const std::size_t turns : {2UL, 10UL, 229UL, 4584UL}) {
+    const HelixEntries entries = thesis_entries(turns);
+    for (const HelixSpacing spacing : {HelixSpacing::true_arc, HelixSpacing::travelled}) {
+      const Mismatch largest = largest_index_mismatch(entries, spacing);
+      EXPECT_DOUBLE_EQ(index_mismatch(entries, spacing, largest.phi), largest.index);
+      double found = 0.0;
+      for (int i = 0; i <= 20000; ++i) {
+        const double phi = 0.5 * kPi * (1.0 - std::cos(kPi * i / 20000.0));
+        found = std::max(found, std::abs(index_mismatch(entries, spacing, phi)));
+      }
+      EXPECT_LE(found, std::abs(largest.index) * (1.0 + 1e-9)) << turns;
+      EXPECT_GE(found, std::abs(largest.index) * (1.0 - 1e-5)) << turns;
+    }
+  }
+}
+
+TEST(HelixEntries, RefusesWhatIsNone) {
+  EXPECT_THROW(polar_angle_of_equal_arc(thesis_entries(1), 0), std::invalid_argument);
+  EXPECT_THROW(polar_angle_of_equal_travel(thesis_entries(0), 0), std::invalid_argument);
+  EXPECT_THROW(polar_angle_of_equal_arc({10.0, 0}, 0), std::invalid_argument);
+  EXPECT_THROW(polar_angle_of_equal_arc({10.0, 1}, 0), std::invalid_argument);
+  EXPECT_THROW(polar_angle_of_equal_travel({10.0, 100}, 100), std::invalid_argument);
+  EXPECT_THROW(largest_index_mismatch({1.5, 100}, HelixSpacing::travelled), std::invalid_argument);
+  const HelixEntries huge = thesis_entries(100000);
+  const double phi = polar_angle_of_equal_arc(huge, huge.count / 3);
+  EXPECT_NEAR(helix_length(1e5, phi) / helix_total_length(1e5) * static_cast<double>(huge.count - 1),
+              static_cast<double>(huge.count / 3), 1e-3);
+}
+
+// P_a, P_b and P_0 ... P_3 of Figure 48 against the scheme's stencil and against the curve itself.
+
+// theta = 2 k phi modulo a turn, above and below, one turn apart.
+TEST(HelixNeighbours, CrossingsAreOnTheCurveAndHoldTheVertex) {
+  const HelixEntries entries = thesis_entries(10);
+  for (const Vec3& u : test::random_directions(2000, 1)) {
+    const auto found = helix_neighbours(entries, u);
+    if (!found) continue;
+    const auto [phi, theta] = to_angles(u);
+    EXPECT_LE(found->phi_above, phi + 1e-12);
+    EXPECT_GE(found->phi_below, phi - 1e-12);
+    EXPECT_NEAR(found->phi_below - found->phi_above, kPi / 10.0, 1e-14);
+    for (const double crossing : {found->phi_above, found->phi_below}) {
+      EXPECT_NEAR(std::remainder(20.0 * crossing - theta, 2.0 * kPi), 0.0, 1e-12);
+    }
+  }
+}
+
+TEST(HelixNeighbours, AreTheTapsOfUsid) {
+  for (const std::size_t turns : {3UL, 10UL, 229UL}) {
+    const Usid usid = Usid::with_turns(turns);
+    for (const Vec3& u : test::random_directions(2000, 2)) {
+      const auto found = helix_neighbours(thesis_entries(turns), u);
+      const Stencil stencil = usid.stencil(u);
+      ASSERT_EQ(found.has_value(), stencil.taps == 4);
+      if (found) {
+        ASSERT_EQ(found->entry, stencil.entry);
+      }
+    }
+  }
+}
+
+TEST(HelixNeighbours, TheirTravelIsBetweenTheirEntries) {
+  const HelixEntries entries = thesis_entries(10);
+  const double spacing = total_travelled_distance(10.0) / 99.0;
+  for (const Vec3& u : test::random_directions(2000, 3)) {
+    const auto found = helix_neighbours(entries, u);
+    if (!found) continue;
+    EXPECT_NEAR(found->travelled_above / spacing - static_cast<double>(found->entry[0]), 0.5, 0.5);
+    EXPECT_NEAR(found->travelled_below / spacing - static_cast<double>(found->entry[2]), 0.5, 0.5);
+  }
+}
+
+TEST(HelixNeighbours, NoneAtThePolesAndRefusesNoHelix) {
+  EXPECT_FALSE(helix_neighbours(thesis_entries(10), {0.001, 0.001, 1}));
+  EXPECT_FALSE(helix_neighbours(thesis_entries(10), {0, 0.01, -1}));
+  EXPECT_THROW(helix_neighbours({1.0, 100}, {1, 0, 0}), std::invalid_argument);
+}
+
+// The plain look-up against the scheme's, and against entries at equal arc.
+
+constexpr HelixIndex kAll[] = {HelixIndex::true_arc, HelixIndex::eq10_true_spacing,
+                               HelixIndex::eq10_own_spacing};
+
+TEST(HelixStencil, ByEq10sOwnSpacingIsUsids) {
+  for (const std::size_t turns : {3UL, 10UL, 229UL}) {
+    const Usid usid = Usid::with_turns(turns);
+    for (const Vec3& u : test::random_directions(2000, 1)) {
+      const Stencil found = helix_stencil(thesis_entries(turns), HelixIndex::eq10_own_spacing, u);
+      const Stencil expected = usid.stencil(u);
+      ASSERT_EQ(found.taps, expected.taps);
+      for (std::size_t k = 0; k < found.taps; ++k) {
+        ASSERT_EQ(found.entry[k], expected.entry[k]) << turns;
+        ASSERT_NEAR(found.weight[k], expected.weight[k], 1e-9);
+      }
+    }
+  }
+}
+
+// place(phi_i) = i for entries at equal arc.
+TEST(HelixStencil, ByTrueArcFindsTheEntriesAtEqualArc) {
+  for (const std::size_t turns : {3UL, 10UL, 229UL}) {
+    const HelixEntries entries = thesis_entries(turns);
+    for (std::size_t i = 0; i < entries.count; i += 1 + entries.count / 500) {
+      const double phi = polar_angle_of_equal_arc(entries, i);
+      EXPECT_NEAR(helix_place(entries, HelixIndex::true_arc, phi), static_cast<double>(i), 1e-8);
+      const Stencil stencil =
+          helix_stencil(entries, HelixIndex::true_arc, to_direction({phi, 2.0 * entries.turns * phi}));
+      double at_entry = 0.0;
+      for (std::size_t k = 0; k < stencil.taps; ++k) {
+        if (stencil.entry[k] == i) at_entry += stencil.weight[k];
+      }
+      EXPECT_NEAR(at_entry, 1.0, 1e-8) << i;
+    }
+  }
+}
+
+TEST(HelixStencil, WeightsSumToOneAndEntriesExist) {
+  auto directions = test::random_directions(5000, 2);
+  for (const Vec3& x : test::special_directions()) directions.push_back(x.normalized());
+  for (const HelixIndex index : kAll) {
+    const HelixEntries entries = thesis_entries(12);
+    for (const Vec3& u : directions) {
+      const Stencil stencil = helix_stencil(entries, index, u);
+      double sum = 0.0;
+      for (std::size_t k = 0; k < stencil.taps; ++k) {
+        ASSERT_LT(stencil.entry[k], entries.count);
+        ASSERT_GE(stencil.weight[k], 0.0);
+        sum += stencil.weight[k];
+      }
+      ASSERT_NEAR(sum, 1.0, 1e-14);
+    }
+  }
+}
+
+// The place by Eq. 10 is off by what index_mismatch() says, until it is cut at the end of the table.
+TEST(HelixPlace, IsOffByTheMismatch) {
+  const HelixEntries entries = thesis_entries(229);
+  for (const double phi : {0.1, 1.0, 2.0, 2.8}) {
+    const double place = helix_place(entries, HelixIndex::true_arc, phi);
+    EXPECT_NEAR(helix_place(entries, HelixIndex::eq10_own_spacing, phi) - place,
+                index_mismatch(entries, HelixSpacing::travelled, phi), 1e-9);
+    EXPECT_NEAR(helix_place(entries, HelixIndex::eq10_true_spacing, phi) - place,
+                index_mismatch(entries, HelixSpacing::true_arc, phi), 1e-9);
+  }
+  for (const HelixIndex index : kAll) EXPECT_EQ(helix_place(entries, index, kPi), 52440.0);
+  EXPECT_THROW(helix_place({10.0, 1}, HelixIndex::true_arc, 1.0), std::invalid_argument);
+  EXPECT_THROW(helix_stencil({1.0, 100}, HelixIndex::true_arc, {1, 0, 0}), std::invalid_argument);
+}
+
+// Interpolated minus true radius, by hand.
+
+TEST(LookupError, IsThatOfTwoKnownDirections) {
+  const std::vector<double> radii{10.0, 14.0};
+  const auto stencil = [](const Vec3& u) {
+    return u.z() > 0.0 ? Stencil{{0, 1, 0, 0}, {0.75, 0.25, 0.0, 0.0}, 2, 0}
+                       : Stencil{{1, 0, 0, 0}, {1.0}, 1, 0};
+  };
+  const std::vector<Vec3> directions{{0, 0, 1}, {0, 0, -1}};
+  const LookupError error = lookup_error(
+      radii, stencil, [](const Vec3&) { return 10.0; }, directions);
+  EXPECT_DOUBLE_EQ(error.largest, 4.0);
+  EXPECT_DOUBLE_EQ(error.root_mean_square, std::sqrt((1.0 + 16.0) / 2.0));
 }
 
 }  // namespace

@@ -2,19 +2,26 @@
 // Scenes, probes, poses and methods of the benchmark, on a small pair.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
-#include "10_error_against_time/all_gaps.hpp"
-#include "10_error_against_time/probes.hpp"
+#include "10_error_against_time/contact.hpp"
+#include "10_error_against_time/errors.hpp"
+#include "10_error_against_time/report.hpp"
+#include "mesh/generated_pair.hpp"
+#include "methods/benchmark_scene.hpp"
 #include "methods/points.hpp"
-#include "methods/surface_distance.hpp"
+#include "methods/pose_set.hpp"
 #include "sphere/scheme_list.hpp"
 #include "table/pairwise.hpp"
+#include "table/probe_directions.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -101,6 +108,147 @@ TEST(BenchmarkMethods, HaveEverySchemeInEveryStorageUnderItsOwnName) {
   EXPECT_TRUE(keys.contains("rsid/4deg"));
   EXPECT_TRUE(keys.contains("cube_gnomonic_mesh_exact/2deg uint16"));
   EXPECT_EQ(count, 2 * 3 * (schemes.size() + mesh_exact.size()));
+}
+
+// Errors of methods that are wrong in a known way, and bounds that are held against them.
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// Answers by a function.
+template <class Answer>
+PointQuery formula(Answer answer) {
+  return one_by_one(std::move(answer), 0.0);
+}
+
+// The truth is 20 mm everywhere but below z = -0.5, where there is no surface.
+double truth_at(const Vec3& x) { return x.normalized().z() < -0.5 ? kNone : 20.0; }
+
+BenchmarkProbes sphere_probes() {
+  BenchmarkProbes probes;
+  probes.points = uniform_directions(4000, 3);
+  probes.uniform = 4000;
+  probes.points.emplace_back(0.0, 0.0, 1.0);
+  probes.truth_at = truth_at;
+  for (const Vec3& x : probes.points) probes.truth.push_back(truth_at(x));
+  return probes;
+}
+
+TEST(BenchmarkErrors, AreSignedAndWeightedBySolidAngle) {
+  // 0.01 mm above on the upper half, 0.02 mm below on the rest.
+  const PointQuery method = formula([](const Vec3& x) { return truth_at(x) + (x.z() > 0.0 ? 0.01 : -0.02); });
+  const BenchmarkErrors errors = measure_errors(method, sphere_probes(), {.starts = 0});
+  EXPECT_NEAR(errors.max_over, 0.01, 1e-12);
+  EXPECT_NEAR(errors.max_under, 0.02, 1e-12);
+  EXPECT_NEAR(errors.max(), 0.02, 1e-12);
+  // The half stands for two of three parts of the covered solid angle.
+  EXPECT_NEAR(errors.rms, std::sqrt((2.0 * 0.01 * 0.01 + 0.02 * 0.02) / 3.0), 3e-4);
+  EXPECT_NEAR(errors.p99, 0.02, 1e-12);
+  EXPECT_NEAR(errors.uniform_max, 0.02, 1e-12);
+  EXPECT_NEAR(errors.feature_max, 0.01, 1e-12);
+  EXPECT_EQ(errors.misses + errors.false_hits, 0U);
+  EXPECT_EQ(errors.directions, 4001U);
+}
+
+TEST(BenchmarkErrors, AbsentAnswersAreCountedAndNotDropped) {
+  const PointQuery method = formula([](const Vec3& x) { return x.normalized().x() > 0.8 ? kNone : 20.0; });
+  const BenchmarkProbes probes = sphere_probes();
+  const BenchmarkErrors errors = measure_errors(method, probes, {});
+  std::size_t misses = 0;
+  std::size_t false_hits = 0;
+  for (const Vec3& x : probes.points) {
+    misses += x.z() >= -0.5 && x.x() > 0.8 ? 1U : 0U;
+    false_hits += x.z() < -0.5 && x.x() <= 0.8 ? 1U : 0U;
+  }
+  EXPECT_GT(misses, 300U);
+  EXPECT_GT(false_hits, 900U);
+  EXPECT_EQ(errors.misses, misses);
+  EXPECT_EQ(errors.false_hits, false_hits);
+  EXPECT_EQ(errors.max(), 0.0);
+}
+
+// An error that peaks so sharply that no probe is on top of it; the ascent gets there.
+TEST(BenchmarkErrors, TheAscentFindsThePeak) {
+  const Vec3 top = Vec3(0.3, -0.4, 0.6).normalized();
+  const PointQuery method = formula(
+      [&](const Vec3& x) { return truth_at(x) + 0.1 * std::exp(-50.0 * (x.normalized() - top).norm()); });
+  const BenchmarkErrors without = measure_errors(method, sphere_probes(), {.starts = 0});
+  const BenchmarkErrors with = measure_errors(method, sphere_probes(), {.starts = 4, .steps = 200});
+  EXPECT_LT(without.max(), 0.09);
+  EXPECT_NEAR(with.max(), 0.1, 1e-4);
+  EXPECT_NEAR(with.adversarial_max, 0.1, 1e-4);
+  EXPECT_EQ(without.adversarial_max, 0.0);
+  EXPECT_LT((with.worst.normalized() - top).norm(), 1e-3);
+  EXPECT_GT(with.directions, without.directions + 4 * 200 - 1);
+}
+
+TEST(Violation, IsAnErrorAboveTheBound) {
+  BenchmarkErrors errors;
+  errors.max_under = 0.002;
+  errors.worst = Vec3(0.1, -0.2, 0.3);
+  EXPECT_FALSE(find_violation(errors, {}));
+  EXPECT_FALSE(find_violation(errors, {.bound_mm = 0.002}));
+  const auto violation = find_violation(errors, {.bound_mm = 0.001});
+  ASSERT_TRUE(violation);
+  const auto line = nlohmann::json::parse(violation->text());
+  EXPECT_DOUBLE_EQ(line["error_um"].get<double>(), 2.0);
+  EXPECT_DOUBLE_EQ(line["bound_um"].get<double>(), 1.0);
+  EXPECT_EQ(std::strtod(line["point_mm"][1].get<std::string>().c_str(), nullptr), -0.2);
+  EXPECT_EQ(violation->text().find('\n'), std::string::npos);
+  EXPECT_THROW(require_bound(errors, {.bound_mm = 0.001}, {"scene", "rsid", "1deg"}), BoundViolated);
+}
+
+constexpr std::size_t kFaces = 1000;
+
+// Its cells by the names of their columns.
+std::map<std::string, std::string> named(const Table& table, const std::vector<Cell>& row) {
+  std::map<std::string, std::string> cells;
+  for (std::size_t k = 0; k < row.size(); ++k) cells[table.columns[k].name] = row[k].text();
+  return cells;
+}
+
+// Steps with an exact test of the faces end within the halvings of the proven brackets, of ours and of peers
+// alike, and vertices alone touch no sooner than the faces do.
+TEST(FirstContact, OfStepsIsThatOfTheBracket) {
+  const BenchmarkScene scene = hip_scene("normal", kFaces);
+  const std::vector<MadeContact> methods = made_contacts(scene.pair);
+  BenchmarkOptions options = quick_benchmark();
+  options.seed = 7;
+  options.pose_timing.rounds = 1;
+  QuestionTable found = make_first_contact_table();
+  Progress progress("test", nullptr);
+  run_first_contact(scene, methods, /*quick=*/true, options, found, progress);
+  std::map<std::string, double> error;
+  for (const std::vector<Cell>& row : found.table.rows) {
+    const auto cells = named(found.table, row);
+    if (cells.at("setting") == "steps of 5 deg") continue;
+    error[cells.at("method")] = std::stod(cells.at("error_deg"));
+    EXPECT_GE(std::stoi(cells.at("motions")), 2);
+    EXPECT_EQ(cells.at("missed"), "0") << cells.at("method");
+    EXPECT_EQ(cells.at("bound_deg").empty(), cells.at("method") != "turn_limit");
+  }
+  EXPECT_LT(error.at("turn_limit"), 1e-5);
+  EXPECT_LT(error.at("culled_faces"), 0.002);
+  if (error.contains("fcl_collide")) {
+    EXPECT_LT(error.at("fcl_collide"), 0.002);
+  }
+  EXPECT_GT(error.at("culled"), error.at("culled_faces"));
+}
+
+// Contract: close to contact too every answer is that of the exact test of every vertex; what FCL finds
+// beyond it is a contact of the surfaces, of which that test misses some.
+
+TEST(ContactAgreement, VerticesMissContactsOfTheSurfacesAndNothingElseDiffers) {
+  const AgreementOptions options{300, 200, 5};
+  const Agreement found = contact_agreement(make_ball_socket_pair(options.triangles), options);
+  EXPECT_EQ(found.poses, 200U);
+  EXPECT_GT(found.impinged, 40U);
+  EXPECT_LT(found.impinged, 160U);
+  EXPECT_EQ(found.culled_wrong, 0U);
+  EXPECT_EQ(found.least_gap_wrong, 0U);
+  EXPECT_EQ(found.unexplained, 0U);
+  EXPECT_GT(found.missed, 0U);
+  EXPECT_GE(found.missed, found.between_vertices);
+  EXPECT_EQ(agreement_table(options, found).rows.size(), 1U);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 #include "hip/motion.hpp"
 #include "limits/turn_limit.hpp"
-#include "phantoms/implant.hpp"
+#include "phantoms/phantom.hpp"
 #include "support/directions.hpp"
 
 namespace impinge {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contract: two faces without a common vertex whose radii at one entry differ by no more than the tolerance
 // are a pair, each once.
-#include "20_claims/self_collision.hpp"
-
 #include <gtest/gtest.h>
 
+#include "20_claims/claims_study.hpp"
 #include "mesh/icosphere.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "support/joined.hpp"

@@ -5,12 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "gap/gap_histogram.hpp"
 #include "gap/gap_summary.hpp"
+#include "gap/simd/joint_scan.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/generated_pair.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "table/exact_raster.hpp"
 
@@ -95,6 +102,76 @@ TEST(GapSummary, CountsWhatIsAtMostTheThreshold) {
   EXPECT_EQ(summarise(gap, area, 0.0).impinged, 1U);
   const std::vector<double> none{kNoSurface};
   EXPECT_FALSE(summarise(none, std::vector<double>{1.0}, 4.0).smallest);
+}
+
+// Contract: scan_joint() gives what the two scans of gap/gap_scan.hpp give, but for rounding in double.
+
+constexpr double kRounding = 1e-10;  // mm: |v| and the steps of the table times some thousand times 2^-53
+
+void expect_near(const std::vector<double>& found, const std::vector<double>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  std::size_t met = 0;
+  std::size_t otherwise = 0;  // on a grid line the scalar look-up may answer beside a cell without surface
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (std::isnan(found[i]) != std::isnan(expected[i])) ++otherwise;
+    if (std::isnan(found[i]) || std::isnan(expected[i])) continue;
+    ++met;
+    EXPECT_NEAR(found[i], expected[i], kRounding) << "vertex " << i;
+  }
+  EXPECT_GT(met, found.size() / 4);
+  EXPECT_LE(otherwise, 2U);
+}
+
+TEST(JointScan, IsBothScansOfAPose) {
+  const BallSocketPair pair = make_ball_socket_pair(3000);
+  const Rsid scheme = Rsid::with_precision(1.0);
+  const auto ball_table = fill_exact(pair.ball, scheme, Layer::farthest);
+  const auto socket_table = fill_exact(pair.socket, scheme, Layer::nearest);
+  const auto joint = packed_joint(packed_table<double>(ball_table), packed_table<double>(socket_table),
+                                  pair.ball, pair.socket);
+  Pose pose;
+  pose.rotation = Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
+  pose.translation = Vec3(0.3, -0.2, 0.4);
+  std::vector<double> ball_gap(pair.ball.vertices.size());
+  std::vector<double> socket_gap(pair.socket.vertices.size());
+  std::vector<double> ball_expected(ball_gap.size());
+  std::vector<double> socket_expected(socket_gap.size());
+  scan_joint(joint, pose, ball_gap, socket_gap);
+  scan_gaps(socket_table, pair.ball.vertices, pose, Surface::ball, ball_expected);
+  scan_gaps(ball_table, pair.socket.vertices, pose, Surface::socket, socket_expected);
+  expect_near(ball_gap, ball_expected);
+  expect_near(socket_gap, socket_expected);
+}
+
+// Contract: bin k holds the area of gaps in [first + k width, first + (k + 1) width); all parts together hold
+// the whole area.
+
+TEST(GapHistogram, PutsAreasIntoTheirBins) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<double> gap{-5.0, -4.5001, -0.1, 0.0, 0.49, 0.5, 14.99, 15.0, -5.01, none, infinity};
+  const std::vector<double> area{1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024};
+  const GapHistogram found = gap_histogram(gap, area);
+  EXPECT_EQ(found.area[0], 3.0);
+  EXPECT_EQ(found.area[9], 4.0);
+  EXPECT_EQ(found.area[10], 24.0);
+  EXPECT_EQ(found.area[11], 32.0);
+  EXPECT_EQ(found.area[39], 64.0);
+  EXPECT_EQ(found.beyond, 1152.0);
+  EXPECT_EQ(found.below, 256.0);
+  EXPECT_EQ(found.without, 512.0);
+}
+
+TEST(GapHistogram, HoldsTheWholeArea) {
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> spread(4.0, 6.0);
+  std::vector<double> gap(5000);
+  for (double& g : gap) g = spread(random);
+  const GapHistogram found = gap_histogram(gap, std::vector<double>(gap.size(), 0.5));
+  const double inside = std::accumulate(found.area.begin(), found.area.end(), 0.0);
+  EXPECT_EQ(inside + found.below + found.beyond + found.without, 2500.0);
+  EXPECT_GT(inside, 2000.0);
+  EXPECT_GT(found.below, 0.0);
 }
 
 }  // namespace

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "harness/real_joints.hpp"
 
+#include <cmath>
+#include <cstring>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "harness/contact_poses.hpp"
+#include "harness/ply_series.hpp"
+#include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"
 #include "support/temporary_folder.hpp"
@@ -119,6 +125,99 @@ TEST(RealJoints, AFolderWithoutAnyJointIsAnError) {
   const TemporaryFolder folder;
   Progress progress("test", nullptr);
   EXPECT_THROW(read_real_joints(folder.path(), progress), std::runtime_error);
+}
+
+// Poses close to contact, on either side of it.
+
+// Spheres of radius 20 in 26 with a common centre touch once the ball has moved by 6 mm, less the sagittas of
+// their faces.
+TEST(ContactPoses, FindTheFirstContact) {
+  const SurfaceOverlay spheres(sphere(20.0, 4000), sphere(26.0, 4000));
+  const auto impinged = [&spheres](const Pose& pose) { return spheres.impinged(pose); };
+  PosePath path;
+  path.shift = Vec3(0.0, 8.0, 6.0);
+  const auto contact = first_contact(path, impinged);
+  ASSERT_TRUE(contact);
+  EXPECT_NEAR(*contact * 10.0, 6.0, 0.06);
+  EXPECT_TRUE(spheres.impinged(path.at(*contact)));
+  EXPECT_FALSE(spheres.impinged(path.at(*contact - 0x1p-23)));
+  path.shift *= 0.5;
+  EXPECT_FALSE(first_contact(path, impinged));
+}
+
+TEST(ContactPoses, AreMostlyCloseToContactAndOnBothSides) {
+  const BallSocketPair joint = make_ball_socket_pair(100, impinging_cam());
+  const SurfaceOverlay overlay(joint.ball, joint.socket);
+  const auto poses = contact_poses(overlay, {240, 1.0, 12.0, 3});
+  std::size_t close = 0;
+  std::size_t impinged = 0;
+  std::size_t turns = 0;
+  for (const ContactPose& pose : poses) {
+    impinged += overlay.impinged(pose.pose) ? 1U : 0U;
+    turns += pose.path.shift.isZero() ? 1U : 0U;
+    if (!pose.contact) continue;
+    const Pose touching = pose.path.at(*pose.contact);
+    const double way = (touching.translation - pose.pose.translation).norm() +
+                       kArm * (touching.rotation - pose.pose.rotation).norm();
+    close += way < 0.5 ? 1U : 0U;
+  }
+  EXPECT_GT(close, 75U);
+  EXPECT_GT(impinged, 45U);
+  EXPECT_LT(impinged, 195U);
+  EXPECT_GT(turns, 0U);
+}
+
+// Contract: x y z and the states of each vertex as float32, bit for bit, behind the header below.
+
+using test::TemporaryFolder;
+
+const TriangleMesh kTriangle{{{0.5, -2.0, 4.0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+
+TEST(PlySeries, HoldsEveryStateOfEveryVertexInTheirOrder) {
+  const TemporaryFolder folder;
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  write_ply_series(folder.path() / "a.ply", kTriangle,
+                   std::vector<VertexSeries>{{"gap_0", {1.0F, 2.0F, 3.0F}}, {"gap_1", {-1.5F, none, 0.25F}}});
+  std::ostringstream text;
+  text << std::ifstream(folder.path() / "a.ply", std::ios::binary).rdbuf();
+  const std::string bytes = text.str();
+  const std::string header =
+      "ply\nformat binary_little_endian 1.0\ncomment lengths in millimetres\nelement vertex 3\n"
+      "property float x\nproperty float y\nproperty float z\nproperty float gap_0\nproperty float gap_1\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  ASSERT_EQ(bytes.substr(0, header.size()), header);
+  ASSERT_EQ(bytes.size(), header.size() + 3 * 5 * 4 + 13);
+  float first[5];
+  float second[5];
+  std::memcpy(first, bytes.data() + header.size(), sizeof first);
+  std::memcpy(second, bytes.data() + header.size() + sizeof first, sizeof second);
+  EXPECT_EQ(first[0], 0.5F);
+  EXPECT_EQ(first[2], 4.0F);
+  EXPECT_EQ(first[3], 1.0F);
+  EXPECT_EQ(first[4], -1.5F);
+  EXPECT_EQ(second[3], 2.0F);
+  EXPECT_TRUE(std::isnan(second[4]));
+}
+
+TEST(PlySeries, IsAMeshForEveryReader) {
+  const TemporaryFolder folder;
+  write_ply_series(folder.path() / "a.ply", kTriangle, std::vector<VertexSeries>{{"gap_0", {1, 2, 3}}});
+  const TriangleMesh read = read_mesh(folder.path() / "a.ply");
+  EXPECT_EQ(read.vertices, kTriangle.vertices);
+  EXPECT_EQ(read.faces, kTriangle.faces);
+}
+
+TEST(PlySeries, RefusesStatesThatDoNotFit) {
+  const TemporaryFolder folder;
+  const auto refused = [&](std::vector<VertexSeries> states) {
+    EXPECT_THROW(write_ply_series(folder.path() / "a.ply", kTriangle, states), std::invalid_argument);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.ply"));
+  };
+  refused({{"gap_0", {1, 2}}});
+  refused({{"", {1, 2, 3}}});
+  refused({{"gap 0", {1, 2, 3}}});
+  refused({{"x", {1, 2, 3}}});
+  refused({{"gap_0", {1, 2, 3}}, {"gap_0", {1, 2, 3}}});
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rule by which timings are repeated, on made-up timings and a made-up clock.
-#include "harness/timing_repeats.hpp"
-
 #include <map>
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "harness/timing.hpp"
 
 namespace impinge::lab {
 namespace {

@@ -3,6 +3,7 @@
 #include "hip/anatomy.hpp"
 
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
@@ -10,6 +11,8 @@
 
 #include "hip/clock.hpp"
 #include "hip/gap_levels.hpp"
+#include "hip/landmarks.hpp"
+#include "hip/length_unit.hpp"
 #include "hip/motion.hpp"
 #include "mesh/bodies.hpp"
 #include "sphere/radial_table.hpp"
@@ -169,6 +172,127 @@ TEST(GapLevels, FiveColoursFromContactToNoImpingement) {
   EXPECT_EQ(gap_colour(kNoSurface, ball), kNoGapColour);
   EXPECT_NE(gap_levels(Surface::socket, 4.0)[4].colour, ball[4].colour);
   EXPECT_EQ(gap_levels(Surface::ball, 0.0).size(), 2U);
+}
+
+// Contract: motion_of_rotation() undoes joint_rotation(); a body and a femur that were turned come back to
+// neutral.
+
+TEST(Landmarks, AMotionComesBackFromItsRotation) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> wide(-179.0, 179.0);
+  std::uniform_real_distribution<double> narrow(-89.0, 89.0);
+  for (const Side side : {Side::left, Side::right}) {
+    for (int k = 0; k < 1000; ++k) {
+      const Motion motion{wide(random), narrow(random), wide(random)};
+      const Motion found = motion_of_rotation(joint_rotation(motion, side), side);
+      EXPECT_NEAR(found.flexion, motion.flexion, 1e-9);
+      EXPECT_NEAR(found.abduction, motion.abduction, 1e-9);
+      EXPECT_NEAR(found.internal_rotation, motion.internal_rotation, 1e-9);
+    }
+  }
+}
+
+// Of a person who stands straight, about the hip of that side.
+Landmarks standing(Side side) {
+  const double lateral = side == Side::right ? 1.0 : -1.0;
+  const double middle = -85.0 * lateral;
+  Landmarks marks;
+  marks.asis_right = {middle + 120.0, 45.0, 80.0};
+  marks.asis_left = {middle - 120.0, 45.0, 80.0};
+  marks.pubic_tubercle_right = {middle + 25.0, 45.0, -15.0};
+  marks.pubic_tubercle_left = {middle - 25.0, 45.0, -15.0};
+  marks.epicondyle_medial = {-40.0 * lateral, 5.0, -400.0};
+  marks.epicondyle_lateral = {40.0 * lateral, -5.0, -400.0};
+  return marks;
+}
+
+TEST(Landmarks, FramesAreUprightOfWhoStandsStraight) {
+  for (const Side side : {Side::left, Side::right}) {
+    const AnatomicalFrames frames =
+        anatomical_frames(standing(side), Vec3::Zero(), side, input_to_joint("RAS"));
+    EXPECT_LT((frames.pelvis - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+    EXPECT_NEAR(frames.pelvic_tilt_deg, 0.0, 1e-12);
+    // The epicondyles are turned by atan(1 / 8) outwards: the lateral one lies behind.
+    EXPECT_NEAR(frames.scanned->internal_rotation, -std::atan2(5.0, 40.0) / kDegree, 1e-9);
+    EXPECT_NEAR(frames.scanned->flexion, 0.0, 1e-9);
+  }
+}
+
+TEST(Landmarks, ATurnOfTheWholeBodyTurnsBothFrames) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> small(-25.0, 25.0);
+  for (int k = 0; k < 200; ++k) {
+    const Side side = k % 2 == 0 ? Side::left : Side::right;
+    Eigen::Matrix3d body = Eigen::Matrix3d::Identity();
+    for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())})
+      body = Eigen::AngleAxisd(small(random) * kDegree, axis) * body;
+    const Vec3 centre(small(random), small(random), 900.0);
+    const Motion pose{small(random), small(random), small(random)};
+    Landmarks marks = standing(side);
+    marks.epicondyle_medial->y() = marks.epicondyle_lateral->y() = 0.0;
+    for (auto at : {&Landmarks::epicondyle_medial, &Landmarks::epicondyle_lateral})
+      marks.*at = joint_rotation(pose, side) * *(marks.*at);
+    for (auto at :
+         {&Landmarks::asis_right, &Landmarks::asis_left, &Landmarks::pubic_tubercle_right,
+          &Landmarks::pubic_tubercle_left, &Landmarks::epicondyle_medial, &Landmarks::epicondyle_lateral})
+      marks.*at = Vec3(body * *(marks.*at) + centre);
+    const AnatomicalFrames frames = anatomical_frames(marks, centre, side, input_to_joint("RAS"));
+    EXPECT_LT((frames.pelvis - body.transpose()).norm(), 1e-9);
+    EXPECT_NEAR(frames.scanned->flexion, pose.flexion, 1e-9);
+    EXPECT_NEAR(frames.scanned->abduction, pose.abduction, 1e-9);
+    EXPECT_NEAR(frames.scanned->internal_rotation, pose.internal_rotation, 1e-9);
+  }
+}
+
+TEST(Landmarks, WithoutEpicondylesThereIsNoFemur) {
+  Landmarks marks = standing(Side::left);
+  marks.epicondyle_medial.reset();
+  EXPECT_THROW(anatomical_frames(marks, Vec3::Zero(), Side::left, input_to_joint("RAS")),
+               std::invalid_argument);
+  marks.epicondyle_lateral.reset();
+  EXPECT_FALSE(anatomical_frames(marks, Vec3::Zero(), std::nullopt, input_to_joint("RAS")).femur);
+}
+
+// Contract: two reaches of which all of one is more than five times all of the other are in different units,
+// and so are two whose radii differ by as much where they face each other; a ball with a radius of less than
+// 5 mm or more than 50 is doubtful.
+
+TEST(LengthUnit, ReachIsThatOfCornersOfFaces) {
+  TriangleMesh mesh = octahedron(2.0);
+  for (Vec3& v : mesh.vertices) v.z() += 1.0;
+  mesh.vertices.emplace_back(100.0, 0.0, 0.0);  // of no face
+  const Reach reach = reach_of(mesh);
+  EXPECT_DOUBLE_EQ(reach.nearest, 1.0);
+  EXPECT_DOUBLE_EQ(reach.farthest, 3.0);
+}
+
+TEST(LengthUnit, JointsOfOneUnitPass) {
+  EXPECT_EQ(different_units({24.0, 25.0}, {25.5, 40.0}, NAN), "");
+  EXPECT_EQ(different_units({20.0, 450.0}, {25.0, 40.0}, NAN), "");  // a whole femur
+  EXPECT_EQ(different_units({24.0, 25.0}, {24.0, 180.0}, NAN), "");  // a whole pelvis
+  EXPECT_EQ(different_units({1.0, 10.0}, {50.0, 60.0}, NAN), "");    // five times, and not more
+  EXPECT_EQ(different_units({50.0, 60.0}, {1.0, 10.0}, NAN), "");
+}
+
+TEST(LengthUnit, FactorsBetweenUnitsDoNot) {
+  for (const double factor : {1e-6, 1e-3, 0.1, 10.0, 1e3, 1e6}) {
+    const std::string found = different_units({24.0 * factor, 25.0 * factor}, {25.5, 40.0}, NAN);
+    EXPECT_NE(found.find("check that both meshes are in mm"), std::string::npos) << factor << found;
+  }
+}
+
+TEST(LengthUnit, RadiiThatDifferWhereTheyFaceEachOtherDoNot) {
+  const Reach femur{2.2, 45.0};
+  const Reach pelvis{25.5, 180.0};
+  for (const double ratio : {0.21, 1.1, 4.9}) EXPECT_EQ(different_units(femur, pelvis, ratio), "") << ratio;
+  for (const double ratio : {0.1, 10.0}) EXPECT_NE(different_units(femur, pelvis, ratio), "") << ratio;
+}
+
+TEST(LengthUnit, SizesThatNoJointHasAreDoubtful) {
+  for (const double radius : {5.0, 8.0, 25.0, 50.0, std::nan("")})
+    EXPECT_EQ(doubtful_unit(radius), "") << radius;
+  for (const double radius : {0.025, 2.5, 4.99, 50.1, 25000.0})
+    EXPECT_NE(doubtful_unit(radius).find("lengths are read as mm"), std::string::npos) << radius;
 }
 
 }  // namespace

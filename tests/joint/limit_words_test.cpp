@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contract: a limit says what of the bones meets, whichever centre the ball turns about, for contact, for a
-// threshold and where all is blocked from the start. What places are called: tests/hip/joint_places_test.cpp.
+// threshold and where all is blocked from the start. What places are called: tests/hip/joint_test.cpp.
 #include <cmath>
 #include <string>
 #include <utility>

@@ -28,17 +28,12 @@
 #include "support/dice.hpp"
 #include "support/hip_with_parts.hpp"
 #include "support/joined.hpp"
+#include "support/poses.hpp"
 #include "support/random_cases.hpp"
 #include "support/turned.hpp"
 
 namespace impinge {
 namespace {
-
-TriangleMesh posed(const TriangleMesh& mesh, const Pose& pose) {
-  TriangleMesh moved = mesh;
-  for (Vec3& x : moved.vertices) x = to_socket(pose, x);
-  return moved;
-}
 
 // Of a closed mesh; edges of a vertex in it by much less than the size of a face are not asked.
 bool is_inside(const TriangleMesh& mesh, const Vec3& x) {
@@ -125,7 +120,7 @@ TEST(BodyPairs, MeetWhereCgalSays) {
     const Pose pose{dice.rotation(), far * dice.vector()};
     bool meet = false;
     for (const TriangleMesh& ball : balls) {
-      const TriangleMesh moved = posed(ball, pose);
+      const TriangleMesh moved = test::ball_in_socket_frame(ball, pose);
       for (const TriangleMesh& socket : sockets) meet = meet || surfaces_meet(moved, socket);
     }
     const BodyPairs::Verdict said = pairs.verdict(pose);
@@ -247,13 +242,7 @@ TEST(BodyPairs, BehindASheetRadiiDecide) {
   EXPECT_EQ(pairs.verdict(through).rule, ContactRule::surfaces);
   EXPECT_TRUE(pairs.meet(through));
   // A whole pelvis has an inside: what is behind it is not in contact.
-  TriangleMesh pelvis = test::joined(main.socket, test::inside_out(cup(12.0, 60.0, 100)));
-  const auto inner = boundary_edges(main.socket);
-  for (const auto& [a, b] : inner) {
-    const auto away = static_cast<VertexIndex>(main.socket.vertices.size());
-    pelvis.faces.push_back({b, a, a + away});
-    pelvis.faces.push_back({b, a + away, b + away});
-  }
+  const TriangleMesh pelvis = test::with_back(main.socket, cup(12.0, 60.0, 100));
   ASSERT_TRUE(boundary_edges(pelvis).empty());
   BoneParts whole;
   whole.whole_socket = pelvis;
@@ -380,15 +369,10 @@ TEST(BodyPairs, OfALatticeAreItsPlaces) {
 // all of the socket's faces along its rays, it is in contact only where that distance is below 0.
 TEST(BodyPairs, BonePassesBehindBone) {
   const TriangleMesh inner = cup(26.0, 60.0, 400);
-  TriangleMesh pelvis = test::joined(inner, test::inside_out(cup(30.0, 60.0, 400)));
-  const auto away = static_cast<VertexIndex>(inner.vertices.size());
-  for (const auto& [a, b] : boundary_edges(inner)) {
-    pelvis.faces.push_back({b, a, a + away});
-    pelvis.faces.push_back({b, a + away, b + away});
-  }
+  const TriangleMesh pelvis = test::with_back(inner, cup(30.0, 60.0, 400));
   ASSERT_TRUE(boundary_edges(pelvis).empty());
-  std::size_t top = away;  // of the back: its pole
-  for (std::size_t v = away; v < pelvis.vertices.size(); ++v)
+  std::size_t top = inner.vertices.size();  // of the back: its pole
+  for (std::size_t v = top; v < pelvis.vertices.size(); ++v)
     if (pelvis.vertices[v].z() > pelvis.vertices[top].z()) top = v;
   ASSERT_NEAR(pelvis.vertices[top].z(), 30.0, 1e-12);
   for (const double distance : {5.0, 1e-3, 1e-6, -1e-6, -1e-3}) {
@@ -654,7 +638,7 @@ TEST(BodyPairs, AreWithinAGapWhereCgalSays) {
     const Pose pose{Eigen::AngleAxisd(turn, dice.direction()).toRotationMatrix() * rotation, Vec3::Zero()};
     double least = HUGE_VAL;
     const auto compare = [&](const TriangleMesh& ball, const TriangleMesh& socket) {
-      const TriangleMesh moved = posed(ball, pose);
+      const TriangleMesh moved = test::ball_in_socket_frame(ball, pose);
       for (const double d : closest_distances(moved, {socket.vertices})) least = std::min(least, d);
       for (const double d : closest_distances(socket, {moved.vertices})) least = std::min(least, d);
     };

@@ -8,7 +8,7 @@
 
 #include "change/required_motion.hpp"
 #include "mesh/ball_socket_pair.hpp"
-#include "phantoms/phantom_meshes.hpp"
+#include "phantoms/phantom.hpp"
 
 namespace impinge {
 

@@ -14,7 +14,7 @@
 #include "limits/turn_limit.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/icosphere.hpp"
-#include "phantoms/phantom_meshes.hpp"
+#include "phantoms/phantom.hpp"
 #include "support/joined.hpp"
 #include "support/turned.hpp"
 

@@ -19,7 +19,7 @@
 #include "methods/contact.hpp"
 #include "methods/gaps.hpp"
 #include "methods/grid_field.hpp"
-#include "methods/surface_distance.hpp"
+#include "methods/pose_set.hpp"
 #include "methods/table_query.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/stored_table.hpp"

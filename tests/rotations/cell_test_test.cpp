@@ -20,6 +20,10 @@
 #include "mesh/generated_pair.hpp"
 #include "mesh/star_shape.hpp"
 #include "reference/meeting_surfaces.hpp"
+#include "rotations/mesh_holes.hpp"
+#include "rotations/rotation_cells.hpp"
+#include "rotations/seen_surface.hpp"
+#include "support/dice.hpp"
 #include "support/exact_touch.hpp"
 #include "support/joined.hpp"
 #include "support/random_cases.hpp"
@@ -103,12 +107,7 @@ TEST(CellTest, IsNeverWrongOfBonesWithAnInside) {
   const TriangleMesh inner = joint.socket;
   TriangleMesh back = inner;
   for (Vec3& x : back.vertices) x *= 32.0 / 26.0;
-  joint.socket = test::joined(inner, test::inside_out(back));
-  const auto away = static_cast<VertexIndex>(inner.vertices.size());
-  for (const auto& [a, b] : boundary_edges(inner)) {
-    joint.socket.faces.push_back({b, a, a + away});
-    joint.socket.faces.push_back({b, a + away, b + away});
-  }
+  joint.socket = test::with_back(inner, back);
   ASSERT_TRUE(boundary_edges(joint.socket).empty());
   const CellTest test(joint);
   ASSERT_TRUE(test.bodies().has_inside());
@@ -219,6 +218,161 @@ TEST(CellTest, AFaceThatTheGapMakesEdgeOnCounts) {
     EXPECT_NE(CellSearch(test).decide(RotationBall{Eigen::Matrix3d::Identity(), 1e-3}).state, CellState::free)
         << place;
   }
+}
+
+// The cells of a level hold every rotation once; no rotation of a cell is farther than its radius; shares are
+// Haar's measure; sides meet sides.
+
+Quaternion4 random_quaternion(std::mt19937_64& engine) {
+  std::normal_distribution<double> normal;
+  Quaternion4 q;
+  for (double& x : q) x = normal(engine);
+  return q.normalized();
+}
+
+RotationCell random_cell(std::mt19937_64& engine, std::uint32_t finest) {
+  const auto level = std::uniform_int_distribution<std::uint32_t>(0, finest)(engine);
+  return {level,
+          std::uniform_int_distribution<std::uint64_t>(0, (std::uint64_t{4} << (3 * level)) - 1)(engine)};
+}
+
+TEST(RotationCells, SharesSumToOne) {
+  for (const std::uint32_t level : {0U, 1U, 4U, 5U}) {
+    double sum = 0.0;
+    for (std::uint64_t number = 0; number < (std::uint64_t{4} << (3 * level)); ++number)
+      sum += share({level, number});
+    EXPECT_NEAR(sum, 1.0, kShareError) << level;
+  }
+}
+
+// 1 - sin(a) / a of a turn by up to 2 a is what Haar's measure gives to angles up to 2 a: rotations drawn at
+// random fall into a cell as often as its share says.
+TEST(RotationCells, SharesAreThoseOfRandomRotations) {
+  std::mt19937_64 engine(7);
+  constexpr std::size_t kDraws = 200000;
+  std::vector<std::size_t> found(4 * 64);
+  for (std::size_t k = 0; k < kDraws; ++k) ++found[cell_of(random_quaternion(engine), 2).number];
+  for (std::uint64_t number = 0; number < found.size(); ++number) {
+    const double expected = share({2, number}) * kDraws;
+    EXPECT_NEAR(static_cast<double>(found[number]), expected, 6.0 * std::sqrt(expected));
+  }
+}
+
+TEST(RotationCells, HoldWhatTheyAreFoundFor) {
+  std::mt19937_64 engine(8);
+  for (std::size_t k = 0; k < random_cases(); ++k) {
+    const Quaternion4 q = random_quaternion(engine);
+    const auto level = static_cast<std::uint32_t>(k % (kFinestCells + 1));
+    const RotationCell cell = cell_of(q, level);
+    const Quaternion4 middle = centre(cell);
+    Eigen::Index cube = 0;
+    middle.cwiseAbs().maxCoeff(&cube);
+    const double side = std::ldexp(1.0, -static_cast<int>(level));
+    EXPECT_LE((q / q[cube] - middle).cwiseAbs().maxCoeff(), side * (1.0 + 1e-9));
+    const Eigen::AngleAxisd turn(rotation_of(middle).transpose() * rotation_of(q));
+    EXPECT_LE(turn.angle(), angular_radius(cell));
+    if (level > 0) {
+      EXPECT_EQ(parent(cell), cell_of(q, level - 1));
+    }
+  }
+}
+
+// The farthest of a fine grid of points of a cell, by the angle of the matrices.
+TEST(RotationCells, RadiusIsTheLeast) {
+  std::mt19937_64 engine(9);
+  for (int round = 0; round < 30; ++round) {
+    const RotationCell cell = random_cell(engine, 8);
+    const Eigen::Quaterniond middle(rotation_of(centre(cell)));
+    double farthest = 0.0;
+    for (int i = -4; i <= 4; ++i) {
+      for (int j = -4; j <= 4; ++j) {
+        for (int k = -4; k <= 4; ++k) {
+          const Quaternion4 q = point_of(cell, {0.25 * i, 0.25 * j, 0.25 * k});
+          farthest = std::max(
+              farthest, middle.angularDistance(Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized()));
+        }
+      }
+    }
+    EXPECT_LE(farthest, angular_radius(cell));
+    EXPECT_NEAR(farthest, angular_radius(cell), 1e-7);
+  }
+}
+
+TEST(RotationCells, SidesMeetSides) {
+  std::mt19937_64 engine(10);
+  for (std::size_t round = 0; round < random_cases(); ++round) {
+    const RotationCell cell = random_cell(engine, 9);
+    for (std::size_t side = 0; side < 6; ++side) {
+      const RotationCell other = beside(cell, side);
+      std::array<double, 3> along{0.2, 0.4, -0.3};  // not along a diagonal
+      along[side / 2] = (side % 2 == 1 ? 1.0 : -1.0) * (1.0 + 1e-6);
+      EXPECT_EQ(cell_of(point_of(cell, along), cell.level), other) << side;
+      std::size_t back = 0;
+      for (std::size_t of = 0; of < 6; ++of) back += beside(other, of) == cell ? 1U : 0U;
+      EXPECT_EQ(back, cell.level == 0 ? back : 1U);
+    }
+  }
+}
+
+// Which faces may have a direction in a cap, and where a surface is missing, against points of the faces and
+// rays against all of them.
+
+Vec3 moved_by_angle(const Vec3& x, const Vec3& about, double angle) {
+  return Eigen::AngleAxisd(angle, about.cross(x).normalized()) * x;
+}
+
+// Caps whose border a point of the face just reaches: of fat faces and slivers, by inner points, sides and
+// corners.
+TEST(SeenSurface, IsNearWhatTouchesTheCap) {
+  test::Dice dice(5);
+  std::size_t far = 0;
+  for (std::size_t round = 0; round < random_cases(); ++round) {
+    const double size = dice.power(-4.0, 0.0);
+    const Vec3 middle = dice.direction();
+    TriangleMesh mesh;
+    for (int k = 0; k < 3; ++k) mesh.vertices.push_back(30.0 * (middle + size * dice.vector()));
+    mesh.faces.push_back({0, 1, 2});
+    const SeenSurface surface(mesh, Layer::farthest);
+    ASSERT_EQ(surface.faces().size(), 1U);
+    Vec3 shares(dice.between(0.0, 1.0), dice.between(0.0, 1.0), dice.between(0.0, 1.0));
+    for (std::size_t k = 0; k < round % 3; ++k) shares[dice.whole(0, 2)] = 0.0;
+    Vec3 point = shares[0] * mesh.vertices[0] + shares[1] * mesh.vertices[1] + shares[2] * mesh.vertices[2];
+    if (point.norm() < 1e-3) continue;
+    const double radius = dice.power(-4.0, 0.2);
+    const Vec3 axis = moved_by_angle(point.normalized(), dice.direction(), radius * (1.0 - 1e-9));
+    EXPECT_TRUE(surface.near(0, {axis, radius})) << round;
+    EXPECT_TRUE(surface.any_near({axis, radius})) << round;
+    if (!surface.near(0, {dice.direction(), std::min(radius, 0.1)})) ++far;
+  }
+  EXPECT_GT(far, random_cases() / 4);
+}
+
+TEST(MeshHoles, HoldWhatNoFaceCovers) {
+  test::Dice dice(6);
+  TriangleMesh ball = sphere(20.0, 1000);
+  const Vec3 hole = dice.direction();
+  std::erase_if(ball.faces, [&](const Face& face) {
+    const auto corners = corners_of(ball, face);
+    return angle_between(corners[0] + corners[1] + corners[2], hole) < 0.3 || dice.whole(0, 99) == 0;
+  });
+  const MeshHoles holes = mesh_holes(SeenSurface(ball, Layer::farthest));
+  const RayCaster rays(ball);
+  const auto covered = [&](const Vec3& u) { return !std::isnan(rays.cast(u, Layer::farthest)); };
+  std::size_t missing = 0;
+  std::size_t beside = 0;
+  for (std::size_t round = 0; round < random_cases(); ++round) {
+    const Vec3 u = dice.direction();
+    const bool held = std::ranges::any_of(
+        holes.caps, [&](const DirectionCap& cap) { return angle_between(cap.axis, u) <= cap.radius; });
+    EXPECT_TRUE(held || covered(u)) << u.transpose();
+    if (!covered(u)) ++missing;
+    if (held && covered(u)) ++beside;
+    const DirectionCap& empty = holes.empty[round % holes.empty.size()];
+    EXPECT_FALSE(covered(moved_by_angle(empty.axis, u, empty.radius * dice.between(0.0, 1.0))))
+        << u.transpose();
+  }
+  EXPECT_GT(missing, random_cases() / 50);
+  EXPECT_LT(beside, missing);  // the caps are not much wider than the holes
 }
 
 }  // namespace

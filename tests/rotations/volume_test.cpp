@@ -16,7 +16,7 @@
 #include "hip/named_motion.hpp"
 #include "limits/turn_limit.hpp"
 #include "mesh/bodies.hpp"
-#include "phantoms/phantom_meshes.hpp"
+#include "phantoms/phantom.hpp"
 #include "support/dice.hpp"
 #include "support/exact_touch.hpp"
 #include "support/joined.hpp"

@@ -2,11 +2,19 @@
 // LUT[phi][theta]: (180 / p + 1) x (360 / p) entries (thesis, Section 3.4, Table 2).
 #include "sphere/schemes/rsid.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "sphere/radial_table.hpp"
+#include "sphere/schemes/healpix.hpp"
+#include "sphere/schemes/latitude_rows.hpp"
+#include "sphere/schemes/octahedral_equal_area.hpp"
+#include "support/directions.hpp"
 
 namespace impinge {
 namespace {
@@ -97,6 +105,104 @@ TEST(RadialTable, RimCellsAreNoSurface) {
   table.mark_rim_cell(grid.stencil(x).cell);
   EXPECT_TRUE(std::isnan(table.radius_at(x)));
   EXPECT_DOUBLE_EQ(table.radius_at(-x), 5.0);
+}
+
+// Latitude rows: m rows of height h = pi / m with round(2 pi sin(phi) / h) entries each, at least 3.
+
+TEST(LatitudeRows, RowsAreFilledAsTheirLengthAsks) {
+  const LatitudeRows grid = LatitudeRows::with_precision(1.0);
+  EXPECT_EQ(grid.rows(), 180U);
+  EXPECT_EQ(grid.row_size(0), 3U);
+  EXPECT_EQ(grid.row_size(1), 9U);
+  EXPECT_EQ(grid.equator_points(), 360U);
+  EXPECT_NEAR(static_cast<double>(grid.size()), 4.0 * kPi / (kDegree * kDegree), 50.0);
+  for (std::size_t row = 0; row < grid.rows(); ++row) {
+    EXPECT_EQ(grid.row_size(row), grid.row_size(grid.rows() - 1 - row));
+    const Vec3 u = grid.direction(grid.first(row));
+    EXPECT_NEAR(to_angles(u).phi, (static_cast<double>(row) + 0.5) * kDegree, 1e-14);
+  }
+}
+
+// r = a + b phi is reproduced between the rows; inside of the polar rows the pole has the mean of its row.
+TEST(LatitudeRows, InterpolatesLinearlyInPhi) {
+  const LatitudeRows grid = LatitudeRows::with_precision(5.0);
+  RadialTable<LatitudeRows> table(grid);
+  for (std::size_t i = 0; i < grid.size(); ++i) table.radii()[i] = 10.0 + to_angles(grid.direction(i)).phi;
+  for (double phi = 0.01; phi < kPi; phi += 0.037) {
+    const double expected = 10.0 + std::clamp(phi, 2.5 * kDegree, kPi - 2.5 * kDegree);
+    for (double theta = 0.0; theta < 2.0 * kPi; theta += 0.11) {
+      EXPECT_NEAR(table.radius_at(3.0 * to_direction({phi, theta})), expected, 1e-13);
+    }
+  }
+}
+
+TEST(LatitudeRows, CapsHaveThreeTaps) {
+  const LatitudeRows grid = LatitudeRows::with_precision(10.0);
+  const Stencil pole = grid.stencil({0, 0, 1});
+  EXPECT_EQ(pole.taps, 3U);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_DOUBLE_EQ(pole.weight[k], 1.0 / 3.0);
+  EXPECT_EQ(grid.stencil(to_direction({4.9 * kDegree, 1.0})).taps, 3U);
+  EXPECT_EQ(grid.stencil(to_direction({5.1 * kDegree, 1.0})).taps, 4U);
+  EXPECT_EQ(grid.stencil(to_direction({175.1 * kDegree, 1.0})).taps, 3U);
+}
+
+// Schemes on rings of latitude: rings hold the entries in their order, and cells across are those that share
+// a gap.
+
+template <class S>
+class Rings : public testing::Test {};
+using OnRings = testing::Types<Healpix, LatitudeRows, OctahedralEqualArea>;
+TYPED_TEST_SUITE(Rings, OnRings);
+
+TYPED_TEST(Rings, FollowOneAnother) {
+  for (const double precision : {90.0, 45.0, 30.0, 5.0}) {
+    const auto scheme = TypeParam::with_precision(precision);
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < scheme.rings(); ++k) {
+      const Ring ring = scheme.ring(k);
+      EXPECT_EQ(ring.first, next);
+      EXPECT_NEAR(scheme.ring_position(std::atan2(ring.polar.sin, ring.polar.cos)), static_cast<double>(k),
+                  1e-12);
+      for (std::size_t t = 0; t < ring.count; ++t) EXPECT_EQ(scheme.direction(next + t), ring.direction(t));
+      next += ring.count;
+    }
+    EXPECT_EQ(next, scheme.size());
+  }
+}
+
+template <class S>
+class RingCells : public testing::Test {};
+using Interpolated = testing::Types<Healpix, LatitudeRows>;
+TYPED_TEST_SUITE(RingCells, Interpolated);
+
+// for_each_cell_across(): the cells that share a gap with this one, found by trying directions.
+TYPED_TEST(RingCells, AcrossShareAGap) {
+  for (const double precision : {90.0, 45.0, 18.0}) {
+    const auto scheme = TypeParam::with_precision(precision);
+    const auto upper = [](const Stencil& s) { return std::array{s.entry[0], s.entry[1]}; };
+    const auto lower = [](const Stencil& s) { return std::array{s.entry[2], s.entry[3]}; };
+    const auto is_cap = [&](const Stencil& s) {
+      return s.taps == 0 || s.cell == 0 || s.cell == scheme.cells() - 1;
+    };
+    std::vector<Stencil> cell(scheme.cells());
+    for (const Vec3& u : test::random_directions(100000, 70)) {
+      const Stencil stencil = scheme.stencil(u);
+      cell[stencil.cell] = stencil;
+    }
+    for (const Stencil& here : cell) {
+      if (is_cap(here)) continue;
+      std::set<std::size_t> expected;
+      for (const Stencil& other : cell) {
+        if (is_cap(other)) continue;
+        const bool same_rings = scheme.direction(other.entry[0]).z() == scheme.direction(here.entry[0]).z();
+        if (same_rings && (upper(other) == upper(here) || lower(other) == lower(here)))
+          expected.insert(other.cell);
+      }
+      std::set<std::size_t> found;
+      scheme.for_each_cell_across(here, [&](const Stencil& other) { found.insert(other.cell); });
+      EXPECT_EQ(found, expected) << precision << " cell " << here.cell;
+    }
+  }
 }
 
 }  // namespace

@@ -5,14 +5,22 @@
 #include "sphere/stored_table.hpp"
 
 #include <cmath>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "sphere/entry_set.hpp"
+#include "sphere/radial_table.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
 #include "sphere/schemes/icosahedral_sine.hpp"
 #include "sphere/schemes/rsid.hpp"
+#include "sphere/table_size.hpp"
 #include "support/directions.hpp"
+#include "support/thrown.hpp"
 
 namespace impinge {
 namespace {
@@ -133,6 +141,69 @@ TEST(QuantisedValues, TheWholeRangeOfCodesIsUsed) {
   EXPECT_NEAR(stored[3], 4.0, 0.5 * stored.step() * (1.0 + 1e-9));
   EXPECT_TRUE(std::isnan(stored[1]));
   EXPECT_DOUBLE_EQ(stored.step(), 2.0 / 65534.0);
+}
+
+// Tables of more than 2^37 entries are refused with their bytes, before memory is asked for.
+
+TEST(TableSize, UpToTheMostIsTaken) {
+  EXPECT_EQ(require_table_size("rsid", 0), 0U);
+  EXPECT_EQ(require_table_size("rsid", kMostTableEntries), kMostTableEntries);
+  EXPECT_THROW(require_table_size("rsid", kMostTableEntries + 1), std::invalid_argument);
+}
+
+TEST(TableSize, TheRefusalSaysWhatTheTableWouldTake) {
+  const Rsid scheme = Rsid::with_precision(1e-6);  // 1.8e8 + 1 rows of 3.6e8: 6.5e16 entries
+  const std::string text = test::thrown<std::invalid_argument>([&] { RadialTable<Rsid>{scheme}; });
+  EXPECT_NE(text.find("64800000360000000 entries"), std::string::npos) << text;
+  EXPECT_NE(text.find("5.18e+17 bytes"), std::string::npos) << text;
+  EXPECT_NE(text.find("rsid"), std::string::npos) << text;
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+}
+
+// The scheme itself has directions and stencils all the same, and its numbers pass 2^31 and 2^32.
+TEST(TableSize, AWindowOfSuchATableCanBeRead) {
+  const Rsid scheme = Rsid::with_precision(1e-6);
+  const std::size_t entry = (std::size_t{3} << 40U) + 12345;
+  const Stencil stencil = scheme.stencil(scheme.direction(entry));
+  Vec3 seen = Vec3::Zero();
+  for (std::size_t k = 0; k < stencil.taps; ++k)
+    seen += stencil.weight[k] * scheme.direction(stencil.entry[k]);
+  EXPECT_LT((seen - scheme.direction(entry)).norm(), 48.0 * 0x1p-53);
+}
+
+// A set of entries, against std::set: same entries, slots in ascending order.
+
+TEST(EntrySet, HoldsWhatWasInsertedAndNumbersIt) {
+  constexpr std::size_t kSize = 100'000;
+  std::mt19937 random(3);
+  std::set<std::size_t> oracle{0, 63, 64, 4095, 4096, kSize - 1};
+  for (int k = 0; k < 500; ++k) oracle.insert(20'000 + random() % 9000);  // whole chunks stay empty
+  EntrySet set(kSize);
+  for (const std::size_t entry : oracle) set.insert(entry);
+  set.insert(64);  // again
+  set.number();
+  EXPECT_EQ(set.count(), oracle.size());
+  std::size_t slot = 0;
+  for (const std::size_t entry : oracle) EXPECT_EQ(set.slot(entry), slot++);
+  for (std::size_t entry = 0; entry < kSize; ++entry) {
+    EXPECT_EQ(set.contains(entry), oracle.contains(entry)) << entry;
+    EXPECT_EQ(set.slot(entry).has_value(), oracle.contains(entry)) << entry;
+  }
+  std::vector<std::size_t> visited;
+  set.for_each([&](std::size_t entry) { visited.push_back(entry); });
+  EXPECT_EQ(visited, std::vector<std::size_t>(oracle.begin(), oracle.end()));
+}
+
+TEST(EntrySet, TakesLittleMemoryForWhatItDoesNotHold) {
+  EntrySet set(6'480'000);  // RSID at 0.1 degrees
+  set.number();
+  EXPECT_EQ(set.count(), 0U);
+  EXPECT_LT(set.bytes(), 7000U);
+  EntrySet one(6'480'000);
+  one.insert(6'479'999);
+  one.number();
+  EXPECT_EQ(one.slot(6'479'999), 0U);
+  EXPECT_LT(one.bytes(), set.bytes() + 1000U);
 }
 
 }  // namespace

@@ -2,14 +2,19 @@
 // USID: theta = 2 k phi, w = k^2, cos(phi_i) = 1 - 2 i / (w - 1) (thesis, Eq. 9-10, Tables 6-7).
 #include "sphere/schemes/usid.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <set>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
+#include "sphere/elliptic.hpp"
+#include "sphere/height_steps.hpp"
 #include "sphere/radial_table.hpp"
+#include "sphere/schemes/usid_arc.hpp"
 #include "support/directions.hpp"
 
 namespace impinge {
@@ -94,6 +99,93 @@ TEST(Usid, RefusesFewerThanTwoTurns) {
   EXPECT_THROW(Usid::with_turns(1), std::invalid_argument);
   EXPECT_THROW(Usid::with_turns(1'000'000'000), std::invalid_argument);
   EXPECT_EQ(Usid::with_turns(100'000).size(), 10'000'000'000U);
+}
+
+// The helix with entries at equal true arc length, and the thesis' look-up among them.
+
+TEST(UsidArc, SizesAndTurnsAreThoseOfUsid) {
+  for (const double precision : {1.0, 0.5, 0.1, 0.05}) {
+    const Usid usid = Usid::with_precision(precision);
+    const UsidArc arc = UsidArc::with_precision(precision);
+    EXPECT_EQ(arc.size(), usid.size());
+    EXPECT_EQ(arc.helix_turns(), usid.helix_turns());
+    EXPECT_EQ(arc.equator_points(), usid.equator_points());
+  }
+  EXPECT_THROW(UsidArc::with_turns(1), std::invalid_argument);
+  EXPECT_THROW(UsidArc::with_turns(10'000'000), std::invalid_argument);
+}
+
+// theta = 2 k phi, with phi found by halving E(phi), which grows from each to the next by as much.
+TEST(UsidArc, EntriesStandOnTheHelix) {
+  for (const std::size_t turns : {2U, 229U, 4584U}) {
+    const UsidArc helix = UsidArc::with_turns(turns);
+    const double slope = 2.0 * static_cast<double>(turns);
+    const double half = elliptic_e(0.5 * kPi, 1.0 + slope * slope);
+    for (std::size_t i = 0; i < helix.size(); i += 1 + helix.size() / 300) {
+      const double length = 2.0 * half * static_cast<double>(i) / static_cast<double>(helix.size() - 1);
+      const bool south = length > half;
+      double low = 0.0;
+      double high = 0.5 * kPi;
+      for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        (elliptic_e(middle, 1.0 + slope * slope) < (south ? 2.0 * half - length : length) ? low : high) =
+            middle;
+      }
+      const Vec3 expected = to_direction({high, std::remainder(slope * high, 2.0 * kPi)});
+      const Vec3 u = helix.direction(i);
+      ASSERT_LT((Vec3(u.x(), south ? -u.y() : u.y(), south ? -u.z() : u.z()) - expected).norm(),
+                1e-14 + 2e-15 * slope);
+    }
+  }
+}
+
+// Entries of a helix at equal steps of height, one by one and in runs.
+
+// Against long double. What is left is the rounding of sqrt(i / (w - 1)) and of a quotient, at most 3/4 of
+// 2^-53 of theta, which is pi k at the equator, and a little.
+TEST(HeightSteps, EntriesStandOnTheHelixForAnySlope) {
+  std::mt19937_64 random(72);
+  for (const std::size_t size : {std::size_t{4}, std::size_t{100}, std::size_t{52441}, std::size_t{21013056},
+                                 std::size_t{10'000'000'000}}) {
+    const double root = std::sqrt(static_cast<double>(size));
+    for (const double slope : {2.0 * std::round(root), std::sqrt(kPi) * root}) {
+      const HeightSteps steps(size, slope);
+      double largest = 0.0;
+      for (int k = 0; k < 20000; ++k) {
+        const std::size_t i = random() % size;
+        const long double share = static_cast<long double>(i) / static_cast<long double>(size - 1);
+        const long double phi = 2.0L * std::atan2(std::sqrt(share), std::sqrt(1.0L - share));
+        const long double theta = static_cast<long double>(slope) * phi;
+        const Vec3 expected(static_cast<double>(std::sin(phi) * std::cos(theta)),
+                            static_cast<double>(std::sin(phi) * std::sin(theta)),
+                            static_cast<double>(1.0L - 2.0L * share));
+        largest = std::max(largest, (steps.direction(i) - expected).norm());
+      }
+      EXPECT_LT(largest, 6e-16 + 1.5e-16 * kPi * slope) << size << ' ' << slope;
+    }
+  }
+}
+
+// The numbers of a run are those of direction(), wherever it starts and however long it is.
+TEST(HeightSteps, RunsHoldTheVeryNumbersOfDirection) {
+  constexpr std::size_t kSize = 100003;
+  const HeightSteps steps(kSize, 777.7);
+  DirectionRun run;
+  for (run.count = 1; run.count <= DirectionRun::kMost; ++run.count) {
+    for (const std::size_t first : {std::size_t{0}, 49980 + run.count, kSize - run.count}) {
+      run.first = first;
+      steps.fill(run);
+      for (std::size_t k = 0; k < run.count; ++k) ASSERT_EQ(run[k], steps.direction(first + k));
+    }
+  }
+}
+
+TEST(HeightSteps, PlaceAndPolarAngleAreInverse) {
+  const HeightSteps steps(1000001, 2000.0);
+  for (double t = 0.0; t <= 1e6; t += 97.3) {
+    EXPECT_NEAR(steps.place(steps.polar_angle(t)), t, 1e-15 * (t < 5e5 ? 3.0 * t + 1.0 : 1e6));
+    EXPECT_NEAR(steps.turn(steps.polar_of_turn(t / 1001.0)), t / 1001.0, 1e-12);
+  }
 }
 
 }  // namespace

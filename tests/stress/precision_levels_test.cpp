@@ -15,9 +15,12 @@
 #include <gtest/gtest.h>
 
 #include "sphere/as_floats.hpp"
+#include "sphere/direction.hpp"
 #include "sphere/plane_radius.hpp"
 #include "sphere/triangle_cone.hpp"
 #include "sphere/uniform_directions.hpp"
+#include "stress/azimuth_steps.hpp"
+#include "stress/precise_conchoid.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -146,6 +149,53 @@ TEST(PlaneRadius, IsTheKernelOfTheTables) {
     const auto& [a, b, c] = question.corner;
     EXPECT_EQ(Kernel::radius<double>(question), TriangleCone(a, b, c).radius(question.u));
   }
+}
+
+// The truth of the family `conchoid` against closed forms and against itself:
+//   s(phi) = 4 a sin(phi / 2),  A(pi) = 32 pi a^2 / 5  at the cusp a = b;  ds / dphi = speed,  dA / dphi =
+//   area rate.
+
+double relative(const Precise& value, const Precise& truth) {
+  return Precise(abs(value - truth) / truth).convert_to<double>();
+}
+
+TEST(PreciseConchoid, IsTheCardioidAtTheCusp) {
+  const PreciseConchoid curve({20.0, 20.0});
+  for (const double phi : {0.1, 1.0, 2.5, 3.1}) {
+    EXPECT_LT(relative(curve.length(phi), 80 * sin(Precise(phi) / 2)), 1e-50);
+    EXPECT_LT(relative(curve.radius(phi), 40 * cos(Precise(phi) / 2) * cos(Precise(phi) / 2)), 1e-50);
+  }
+  // The double kPi is 1e-16 short of the number, where the area no longer grows.
+  EXPECT_LT(relative(curve.area(kPi), 32 * acos(Precise(-1)) * 400 / 5), 1e-45);
+}
+
+TEST(PreciseConchoid, LengthAndAreaGrowAsTheirRates) {
+  constexpr double kStep = 0x1p-30;
+  for (const ConchoidShape& shape :
+       {ConchoidShape{}, ConchoidShape{17.8431, 17.843}, ConchoidShape{20.0, 1.0}}) {
+    const PreciseConchoid curve(shape);
+    for (const double phi : {0.5, 1.5, 2.5}) {
+      const Precise length = (curve.length(phi + kStep) - curve.length(phi - kStep)) / (2 * kStep);
+      const Precise area = (curve.area(phi + kStep) - curve.area(phi - kStep)) / (2 * kStep);
+      EXPECT_LT(relative(length, curve.speed(phi)), 1e-16);
+      EXPECT_LT(relative(area, curve.area_rate(phi)), 1e-16);
+    }
+  }
+}
+
+// Small steps: what is done wrong on purpose is found. (The family as a whole: experiments/11_stability.)
+
+// Near 360 degrees floats are 3.05e-5 apart.
+TEST(AzimuthSteps, FloatsTellColumnsApartAboveTheirSpacing) {
+  EXPECT_EQ(float_azimuths(1e-2, 48.0).wrong, 0U);
+  EXPECT_EQ(float_azimuths(1e-4, 48.0).wrong, 0U);
+  EXPECT_GT(float_azimuths(1e-5, 48.0).wrong, 50U);
+}
+
+// Each addition rounds, and all roundings of one sign add up.
+TEST(AzimuthSteps, SumsDriftAway) {
+  EXPECT_EQ(summed_azimuths(1.0, 48.0).relative_error, 0.0);
+  EXPECT_GT(summed_azimuths(1e-3, 48.0).error_over_condition_u, 1e4);
 }
 
 }  // namespace

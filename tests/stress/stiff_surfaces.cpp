@@ -15,7 +15,6 @@
 #include "sphere/schemes/cube_gnomonic.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/schemes/usid.hpp"
-#include "stress/aimed_faces.hpp"
 #include "stress/shapes.hpp"
 #include "support/directions.hpp"
 #include "support/soup.hpp"

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "mesh/edges.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge::test {
@@ -18,6 +19,18 @@ inline TriangleMesh joined(TriangleMesh mesh, const TriangleMesh& other) {
 inline TriangleMesh inside_out(TriangleMesh mesh) {
   for (Face& face : mesh.faces) std::swap(face[1], face[2]);
   return mesh;
+}
+
+// A socket with bone behind it: `back`, of the same vertices in their order, faces away from the centre, and
+// strips join both along the boundary of the front.
+inline TriangleMesh with_back(const TriangleMesh& front, const TriangleMesh& back) {
+  TriangleMesh bone = joined(front, inside_out(back));
+  const auto away = static_cast<VertexIndex>(front.vertices.size());
+  for (const auto& [a, b] : boundary_edges(front)) {
+    bone.faces.push_back({b, a, a + away});
+    bone.faces.push_back({b, a + away, b + away});
+  }
+  return bone;
 }
 
 // With three vertices of its own.

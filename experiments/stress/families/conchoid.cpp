@@ -10,7 +10,6 @@
 
 #include "sphere/direction.hpp"
 #include "stress/family.hpp"
-#include "stress/include_error.hpp"
 #include "stress/precise_conchoid.hpp"
 
 namespace impinge::lab {

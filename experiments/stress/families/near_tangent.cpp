@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "stress/aimed_faces.hpp"
 #include "stress/measure.hpp"
 #include "stress/shapes.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/jump_edges.hpp"
-#include "stress/aimed_faces.hpp"
 #include "stress/measure.hpp"
 #include "stress/shapes.hpp"
 

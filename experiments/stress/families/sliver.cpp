@@ -6,7 +6,6 @@
 #include <array>
 
 #include "mesh/bodies.hpp"
-#include "stress/aimed_faces.hpp"
 #include "stress/measure.hpp"
 #include "stress/shapes.hpp"
 

@@ -16,7 +16,6 @@
 #include "sphere/uniform_directions.hpp"
 #include "stress/azimuth_steps.hpp"
 #include "stress/family.hpp"
-#include "stress/include_error.hpp"
 
 namespace impinge::lab {
 namespace {
