@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "20_claims/claims_study.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -9,7 +11,6 @@
 #include <Eigen/Geometry>
 #include <benchmark/benchmark.h>
 
-#include "20_claims/claims_study.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "mesh/bodies.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far strain by gap (24_strain/layer_contact.hpp) is from that of elastic layers, at oblique rays, and in a
-// hip.
+// How far strain by gap (24_strain/layer_contact.hpp) is from that of elastic layers, at oblique rays, and in
+// a hip.
 #pragma once
 
 #include <cstddef>

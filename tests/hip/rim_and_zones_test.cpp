@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hip/rim_line.hpp"
-
 #include <cmath>
 #include <limits>
 
@@ -11,6 +9,7 @@
 #include "hip/gap_files.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_surface.hpp"
+#include "hip/rim_line.hpp"
 #include "mesh/bodies.hpp"
 #include "support/directions.hpp"
 

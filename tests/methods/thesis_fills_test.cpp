@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The plain test of each pair against the oracle of exact signs:
 //   thesis_ray_radius() = RayCaster::cast() but for rounding, away from faces seen edge-on
+#include "methods/thesis_fills.hpp"
+
 #include <cmath>
 #include <limits>
 #include <random>
@@ -15,7 +17,6 @@
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "methods/fill_method.hpp"
-#include "methods/thesis_fills.hpp"
 #include "sphere/schemes/rsid.hpp"
 #include "sphere/uniform_directions.hpp"
 #include "support/directions.hpp"

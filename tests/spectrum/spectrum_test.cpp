@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "spectrum/power_spectrum.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +10,7 @@
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "spectrum/gauss_grid.hpp"
+#include "spectrum/power_spectrum.hpp"
 #include "sphere/direction.hpp"
 #include "table/pairwise.hpp"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "table/exact_raster.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -16,6 +14,7 @@
 #include "support/random_cases.hpp"
 #include "support/soup.hpp"
 #include "support/turned.hpp"
+#include "table/exact_raster.hpp"
 #include "table/pairwise.hpp"
 #include "table/partial_table.hpp"
 
