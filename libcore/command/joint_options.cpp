@@ -132,11 +132,11 @@ std::function<void()> add_joint_options(CLI::App& command, JointOptions& options
                   },
                   "of rotation: that of the sphere that fits the ball, or a place in mm [fit]")
               ->type_name("fit|X,Y,Z"));
-  grouped(
-      command
-          .add_option("--landmarks", options.landmarks,
-                      "markups of 3D Slicer, or a CSV label,x,y,z, that give the frames of pelvis and femur")
-          ->type_name("FILE"));
+  grouped(command
+              .add_option("--landmarks", options.landmarks,
+                          "points of 3D Slicer (.mrk.json, .fcsv, its table), or a CSV label,x,y,z, that "
+                          "give the frames of pelvis and femur")
+              ->type_name("FILE"));
   grouped(command
               .add_option_function<std::string>(
                   "--cartilage", [&options](const std::string& text) { set_cartilage(text, options); },

@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/landmark_file.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "files/delimited.hpp"
 #include "files/file_bytes.hpp"
 #include "files/file_error.hpp"
-#include "files/finite_number.hpp"
 
 namespace impinge {
 namespace {
 
 using nlohmann::json;
 
-constexpr const char* kAdvice = "give markups of 3D Slicer (.mrk.json) or a CSV label,x,y,z in mm";
+constexpr const char* kAdvice =
+    "give markups of 3D Slicer (.mrk.json, .fcsv, or its table label,r,a,s or label,l,p,s) or a CSV "
+    "label,x,y,z in mm";
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
   throw FileError(file, reason, kAdvice);
@@ -44,68 +50,153 @@ std::optional<Vec3> Landmarks::*member(const std::string& label) {
   return nullptr;
 }
 
-void add(const std::filesystem::path& file, std::string_view label, const Vec3& place, Landmarks& found) {
+// What a file has marked.
+struct Marked {
+  Landmarks found;
+  std::string others;  // labels that are of no landmark
+};
+
+void add(const std::filesystem::path& file, std::string_view label, const Vec3& place, Marked& marked) {
+  if (member(lower(label)) == nullptr) {
+    if (marked.others.size() < 200) marked.others += (marked.others.empty() ? "" : ", ") + std::string(label);
+    return;
+  }
   try {
-    add_landmark(label, place, found);
+    add_landmark(label, place, marked.found);
   } catch (const std::invalid_argument& error) {
     refuse(file, error.what());
   }
 }
 
 void add_point(const std::filesystem::path& file, const json& point, const Eigen::Matrix3d& turn,
-               Landmarks& found) {
+               Marked& marked) {
   const json place = point.is_object() ? point.value("position", json()) : json();
   const bool numbers = place.is_array() && place.size() == 3 && place[0].is_number() &&
                        place[1].is_number() && place[2].is_number();
   if (!point.is_object() || !point.contains("label") || !point["label"].is_string()) return;
   if (!numbers) return;  // Slicer keeps points that are not placed yet
-  add(file, point["label"].get<std::string>(), turn * Vec3(place[0], place[1], place[2]), found);
+  add(file, point["label"].get<std::string>(), turn * Vec3(place[0], place[1], place[2]), marked);
 }
 
-Landmarks of_markups(const std::filesystem::path& file, const std::string& bytes,
-                     const Eigen::Matrix3d& axes) {
+Marked of_markups(const std::filesystem::path& file, const std::string& bytes, const Eigen::Matrix3d& axes) {
   const json text = json::parse(bytes, nullptr, /*allow_exceptions=*/false);
   if (!text.is_object() || !text.value("markups", json()).is_array()) refuse(file, "has no markups");
-  Landmarks found;
+  Marked marked;
   for (const json& markup : text["markups"]) {
     if (!markup.is_object() || !markup.value("controlPoints", json()).is_array()) continue;
     const json space = markup.value("coordinateSystem", json("LPS"));  // as Slicer takes it
     if (space != "LPS" && space != "RAS") refuse(file, "its coordinateSystem is neither LPS nor RAS");
     const Eigen::Matrix3d turn = axes.transpose() * input_to_joint(space.get<std::string>());
-    for (const json& point : markup["controlPoints"]) add_point(file, point, turn, found);
+    for (const json& point : markup["controlPoints"]) add_point(file, point, turn, marked);
   }
-  return found;
+  return marked;
 }
 
-Vec3 place_of(const std::filesystem::path& file, std::string_view numbers) {
-  Vec3 place;
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    const std::string_view word = numbers.substr(0, numbers.find(','));
-    const std::optional<double> number = finite_number(word);
-    if (!number) refuse(file, "'" + std::string(numbers) + "' are not three numbers");
-    place[k] = *number;
-    numbers.remove_prefix(std::min(word.size() + 1, numbers.size()));
+// Where the columns of a table are.
+struct LandmarkColumns {
+  std::size_t label = 0;
+  std::array<std::size_t, 3> place{};
+  std::optional<std::size_t> defined;  // 0 there for a point that is not placed
+  std::size_t names = 0;
+  std::string_view axes;  // of the places; empty for those of the meshes
+};
+
+// None unless there are a label and a place.
+std::optional<LandmarkColumns> landmark_columns(std::string_view head, char separator) {
+  const std::vector<std::string_view> words = delimited_words(head, separator);
+  const auto find = [&](std::string_view name) -> std::optional<std::size_t> {
+    const auto at =
+        std::find_if(words.begin(), words.end(), [&](std::string_view word) { return lower(word) == name; });
+    return at == words.end() ? std::nullopt : std::optional(static_cast<std::size_t>(at - words.begin()));
+  };
+  const std::optional<std::size_t> label = find("label");
+  for (const auto& [names, axes] : {std::pair("xyz", ""), {"ras", "RAS"}, {"lps", "LPS"}}) {
+    const auto x = find({names, 1});
+    const auto y = find({names + 1, 1});
+    const auto z = find({names + 2, 1});
+    if (label && x && y && z)
+      return LandmarkColumns{*label, {*x, *y, *z}, find("defined"), words.size(), axes};
   }
-  if (!numbers.empty()) refuse(file, "a line has more than a label and three numbers");
-  return place;
+  return std::nullopt;
 }
 
-Landmarks of_csv(const std::filesystem::path& file, std::string_view bytes) {
-  Landmarks found;
-  for (bool first = true; !bytes.empty(); first = false) {
-    const std::size_t end = std::min(bytes.find('\n'), bytes.size());
-    std::string_view line = bytes.substr(0, end);
-    bytes.remove_prefix(std::min(end + 1, bytes.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (first && line != "label,x,y,z") refuse(file, "does not begin with label,x,y,z");
-    if (first || line.empty()) continue;
-    const std::size_t comma = std::min(line.find(','), line.size());
-    const std::string_view rest = line.substr(std::min(comma + 1, line.size()));
-    if (member(lower(line.substr(0, comma))) != nullptr)
-      add(file, line.substr(0, comma), place_of(file, rest), found);
-  }
-  return found;
+// What .fcsv says of itself in a line "# KEY = VALUE"; empty if it says nothing of that.
+std::string_view comment_value(std::string_view line, std::string_view key) {
+  const std::size_t equals = line.find('=');
+  if (equals == line.npos || delimited_words(line.substr(1, equals - 1), '=')[0] != key) return {};
+  return delimited_words(line.substr(equals + 1), '=')[0];
 }
+
+// A table, whose columns a header names, or comments as those of .fcsv do.
+class LandmarkTable {
+ public:
+  LandmarkTable(const std::filesystem::path& file, std::string_view bytes, const Eigen::Matrix3d& axes)
+      : file_(file), lines_(bytes), axes_(axes), fiducials_(lower(file.extension().string()) == ".fcsv") {
+    if (fiducials_) columns_ = landmark_columns("label,x,y,z,sel,vis", separator_);
+  }
+
+  Marked read() {
+    while (lines_.next()) {
+      const std::string_view line = lines_.line();
+      if (fiducials_ && line.starts_with('#')) {
+        read_comment(line);
+      } else if (!columns_) {
+        separator_ = separator_of(line);
+        columns_ = landmark_columns(line, separator_);
+        if (!columns_) refuse_line("does not name the columns label,x,y,z, label,r,a,s or label,l,p,s");
+      } else {
+        read_row(delimited_words(line, separator_));
+      }
+    }
+    return marked_;
+  }
+
+ private:
+  [[noreturn]] void refuse_line(const std::string& reason) const {
+    refuse(file_, "line " + std::to_string(lines_.number()) + " " + reason);
+  }
+  void read_comment(std::string_view line) {
+    const std::string_view columns = comment_value(line, "columns");
+    if (!columns.empty()) columns_ = landmark_columns(columns, separator_);
+    if (!columns_) refuse_line("does not name the columns label, x, y and z");
+    const std::string_view system = comment_value(line, "CoordinateSystem");
+    if (system.empty()) return;
+    if (system != "0" && system != "RAS" && system != "1" && system != "LPS")
+      refuse_line("has a CoordinateSystem that is neither RAS (0) nor LPS (1)");
+    fiducial_axes_ = system == "1" || system == "LPS" ? "LPS" : "RAS";
+  }
+  // .fcsv has that behind the columns that it names, 2 for a point that is placed.
+  bool is_placed(const std::vector<std::string_view>& words) const {
+    if (columns_->defined && *columns_->defined < words.size()) return words[*columns_->defined] != "0";
+    return !fiducials_ || words.size() <= columns_->names || words[columns_->names] == "2";
+  }
+  void read_row(const std::vector<std::string_view>& words) {
+    const LandmarkColumns& at = *columns_;
+    const std::size_t needed = std::max({at.label, at.place[0], at.place[1], at.place[2]}) + 1;
+    if (words.size() < needed || (!fiducials_ && words.size() != at.names))
+      refuse_line("has " + std::to_string(words.size()) + " fields below " + std::to_string(at.names) +
+                  " names");
+    if (!is_placed(words)) return;
+    Vec3 place;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::optional<double> number = delimited_number(words[at.place[k]], separator_);
+      if (!number) refuse_line("has '" + std::string(words[at.place[k]]) + "', which is no number");
+      place[static_cast<Eigen::Index>(k)] = *number;
+    }
+    const std::string_view axes = fiducials_ ? fiducial_axes_ : at.axes;
+    if (!axes.empty()) place = (axes_.transpose() * input_to_joint(std::string(axes)) * place).eval();
+    add(file_, words[at.label], place, marked_);
+  }
+
+  const std::filesystem::path& file_;
+  NumberedLines lines_;
+  const Eigen::Matrix3d& axes_;
+  bool fiducials_;
+  std::string_view fiducial_axes_ = "RAS";  // as Slicer had it before it said so
+  char separator_ = ',';
+  std::optional<LandmarkColumns> columns_;
+  Marked marked_;
+};
 
 }  // namespace
 
@@ -119,7 +210,15 @@ void add_landmark(std::string_view label, const Vec3& place, Landmarks& found) {
 
 Landmarks read_landmarks(const std::filesystem::path& file, const Eigen::Matrix3d& axes) {
   const std::string bytes = read_bytes(file);
-  return lower(file.extension().string()) == ".json" ? of_markups(file, bytes, axes) : of_csv(file, bytes);
+  const Marked marked = lower(file.extension().string()) == ".json" ? of_markups(file, bytes, axes)
+                                                                    : LandmarkTable(file, bytes, axes).read();
+  const Landmarks& found = marked.found;
+  if (!found.asis_right && !found.asis_left && !found.pubic_tubercle_right && !found.pubic_tubercle_left &&
+      !found.epicondyle_medial && !found.epicondyle_lateral && !marked.others.empty())
+    throw FileError(file, "its labels are of no landmark: " + marked.others,
+                    "call them asis_right, asis_left, pubic_tubercle_right, pubic_tubercle_left, "
+                    "epicondyle_medial, epicondyle_lateral");
+  return found;
 }
 
 void use_landmarks(const Landmarks& landmarks, const std::string& from, std::optional<Side> side,

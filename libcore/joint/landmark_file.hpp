@@ -10,11 +10,18 @@
 
 namespace impinge {
 
-/// Reads points by their labels, mm: from 3D Slicer's .mrk.json, which names its frame (turned to that of the
-/// meshes by `axes`, see input_to_joint()), or from a CSV label,x,y,z in the frame of the meshes. A label
-/// contains asis or tubercle with left or right, or epicondyle with medial or lateral, in any order and case,
-/// as asis_right or "Pubic tubercle, left"; other points are ignored. FileError for a file that is neither,
-/// and for a label that occurs twice.
+/// Reads points by their labels, mm, in the frame of the meshes. What 3D Slicer writes is turned to that
+/// frame by `axes` (see input_to_joint()):
+///   * .mrk.json, which names its frame; LPS if it does not;
+///   * .fcsv, in the frame of its CoordinateSystem: RAS or 0, LPS or 1; RAS if it does not name one. Its
+///   comment
+///     names the columns; those of Slicer 3 are label,x,y,z,sel,vis;
+///   * a table with columns label, r, a, s or label, l, p, s.
+/// A table with label, x, y, z is in the frame of the meshes. Tables have commas, semicolons or tabs, and
+/// names in any case. A label contains asis or tubercle with left or right, or epicondyle with medial or
+/// lateral, in any order and case, as asis_right or "Pubic tubercle, left"; other points are ignored, and so
+/// are those that Slicer has not placed. FileError for a file that is none of these, a label that occurs
+/// twice, and labels of which none is a landmark's.
 Landmarks read_landmarks(const std::filesystem::path& file, const Eigen::Matrix3d& axes);
 
 /// Adds a point by its label, in the frame of the meshes, mm; other labels are ignored.

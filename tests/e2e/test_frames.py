@@ -277,12 +277,12 @@ class Frames(unittest.TestCase):
 
     def test_files_that_are_no_landmarks_are_refused(self):
         files = self.write("files", lambda v, f: ply_text(v, f))
-        cure = "give markups of 3D Slicer (.mrk.json) or a CSV label,x,y,z in mm"
+        cure = "give markups of 3D Slicer (.mrk.json, .fcsv, or its table label,r,a,s or label,l,p,s) or a CSV label,x,y,z in mm"
         for name, text, said in (
-            ("headless.csv", "asis_right,1,2,3\n", "does not begin with label,x,y,z"),
-            ("words.csv", "label,x,y,z\nasis_right,1,2,up\n", "'1,2,up' are not three numbers"),
-            ("short.csv", "label,x,y,z\nasis_right,1,2\n", "'1,2' are not three numbers"),
-            ("long.csv", "label,x,y,z\nasis_right,1,2,3,4\n", "a line has more than a label and three numbers"),
+            ("headless.csv", "asis_right,1,2,3\n", "line 1 does not name the columns label,x,y,z"),
+            ("words.csv", "label,x,y,z\nasis_right,1,2,up\n", "line 2 has 'up', which is no number"),
+            ("short.csv", "label,x,y,z\nasis_right,1,2\n", "line 2 has 3 fields below 4 names"),
+            ("long.csv", "label,x,y,z\nasis_right,1,2,3,4\n", "line 2 has 5 fields below 4 names"),
             ("twice.csv", "label,x,y,z\nasis_right,1,2,3\nRight ASIS,1,2,3\n", "the landmark Right ASIS is there twice"),
             ("cut.mrk.json", '{"markups": [', "has no markups"),
             ("list.mrk.json", "[]", "has no markups"),
