@@ -26,25 +26,35 @@ std::string line_of(const std::vector<Cell>& cells) {
   return line + "\n";
 }
 
-std::string head_of(const PoseList& list, bool areas) {
+// BlenderROMFinder's column is there where its columns are asked of; 1 is free of contact.
+bool has_valid_pose(const PoseList& list, const SeriesOutputs& outputs) {
+  return list.kind == PoseKind::steps && outputs.touch;
+}
+
+std::string head_of(const PoseList& list, const SeriesOutputs& outputs) {
   std::vector<Cell> names;
   for (const Column& column : columns_of<PoseRow>()) names.emplace_back(column.name);
-  if (areas)
+  if (outputs.areas)
     for (const Column& column : columns_of<PoseAreas>()) names.emplace_back(column.name);
-  for (const PoseColumn& column : list.columns) names.emplace_back(column.name);
+  for (const PoseColumn& column : list.columns)
+    if (!column.name.empty()) names.emplace_back(column.name);
+  if (has_valid_pose(list, outputs)) names.emplace_back("Valid_pose");
   return line_of(names);
 }
 
 std::string text_of_row(const SessionJoint& joint, const PoseList& list, std::size_t row,
-                        const SeriesAnswer& answer) {
-  std::vector<Cell> cells = cells_of(row_of(joint, list, row, answer));
+                        const SeriesOutputs& outputs, const SeriesAnswer& answer) {
+  const PoseRow found = row_of(joint, list, row, answer);
+  std::vector<Cell> cells = cells_of(found);
   if (cells[1].text().empty()) cells[1] = Cell();
   if (const auto& areas = answer.areas) {
-    const PoseAreas found{(*areas)[0].bone, (*areas)[1].bone, (*areas)[0].cartilage, (*areas)[1].cartilage};
-    for (Cell& cell : cells_of(found)) cells.push_back(std::move(cell));
+    const PoseAreas area{(*areas)[0].bone, (*areas)[1].bone, (*areas)[0].cartilage, (*areas)[1].cartilage};
+    for (Cell& cell : cells_of(area)) cells.push_back(std::move(cell));
   }
   for (std::size_t k = 0; k < list.columns.size(); ++k)
-    cells.emplace_back(list.values[row * list.width() + k]);
+    if (!list.columns[k].name.empty()) cells.emplace_back(list.values[row * list.width() + k]);
+  if (has_valid_pose(list, outputs))
+    cells.push_back(found.touch == "yes" ? Cell("0") : found.touch == "no" ? Cell("1") : Cell());
   return line_of(cells);
 }
 
@@ -132,8 +142,8 @@ class Rows {
   Tally tally_;
 };
 
-void answer_all(const SessionJoint& joint, const PoseList& list, const PoseSeries& series, const Work& work,
-                Rows& rows) {
+void answer_all(const SessionJoint& joint, const PoseList& list, const PoseSeries& series,
+                const SeriesOutputs& outputs, const Work& work, Rows& rows) {
   Stopwatch watch;
   double answer_ms = 0.0;
   double said_ms = 0.0;
@@ -145,7 +155,7 @@ void answer_all(const SessionJoint& joint, const PoseList& list, const PoseSerie
     on_threads(work.threads, [&](std::size_t thread) {
       for (std::size_t k = thread; k < texts.size(); k += work.threads)
         texts[k] = text_of_row(
-            joint, list, pose + k,
+            joint, list, pose + k, outputs,
             list.tracked(pose + k) ? series.answer(pose_in(joint, list, pose + k)) : SeriesAnswer());
     });
     rows.add(texts);
@@ -177,13 +187,14 @@ Told told(Session& session, const PosesRequest& request, const Work& work) {
   const PoseList list = list_of(request, joint);
   const SeriesOutputs outputs = outputs_of(request);
   const PoseSeries series(joint.joint, outputs);
-  const std::string head = head_of(list, outputs.areas);
+  const std::string head = head_of(list, outputs);
   std::string given = std::string(kRowsVersion) + head;
+  given += std::to_string(static_cast<int>(list.kind)) + ",";
   for (const double value : list.values) given += Cell(value).text() + ",";
   Rows rows(work, answer_key(joint, json_of(request), given), head);
   const std::string doubt = doubt_of(request, joint, list);
   if (!doubt.empty()) work.warn(doubt);
-  answer_all(joint, list, series, work, rows);
+  answer_all(joint, list, series, outputs, work, rows);
   rows.finish();
   const PosesAnswer found = rows.tally().answer(outputs.touch, doubt);
   Told told{.words = describe_poses(found), .document = json_of(found)};

@@ -54,6 +54,18 @@ Motion parse_motion(std::string_view text);
 /// std::invalid_argument.
 Eigen::Matrix3d joint_rotation(const Motion& motion, std::optional<Side> side);
 
+/// Angles of a humerus, degrees, after Wu et al. 2005 (ISB recommendation for the shoulder,
+/// doi:10.1016/j.jbiomech.2004.05.042).
+struct ShoulderAngles {
+  double plane_of_elevation = 0.0;  // 0 in abduction, 90 in forward flexion
+  double elevation = 0.0;           // from hanging down; Wu et al. count it negative
+  double axial_rotation = 0.0;      // internal rotation is positive
+};
+
+/// Rotation of the ball in the joint frame, R = R_Y(plane) R_X(-elevation) R_Y(axial) in the axes of Wu et
+/// al. (X anterior, Y superior, Z right), which are y, z and x of ours; mirrored on the left side.
+Eigen::Matrix3d shoulder_rotation(const ShoulderAngles& angles, Side side);
+
 /// Rotation of the ball while one angle grows and the others stay: R(a) = outer R(axis, a) inner, a in
 /// radians, R(0) = joint_rotation(start).
 struct JointTurn {

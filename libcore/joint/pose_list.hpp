@@ -1,62 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many poses of a joint, from a file or a grid of angles.
+// Many poses of a joint, from a file (joint/pose_file.hpp) or a grid.
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "gap/pose.hpp"
 #include "hip/motion.hpp"
-#include "sphere/direction.hpp"
 
 namespace impinge {
 
-/// A column of angles, or of times, which move nothing.
-struct PoseColumn {
-  std::string name;                    // as it was given
-  const MotionName* motion = nullptr;  // null for a time
+/// What the numbers of a row mean. The first three have angles in degrees, 0 where there is none, and a shift
+/// of the ball in mm; the others have a matrix (3 x 4), row by row, x' = R x + t, mm.
+enum class PoseKind {
+  hip,  // flexion, abduction, internal_rotation: joint_rotation(), the order of Wu et al. 2002 for the hip
+        // (about their Z, X and Y); tx, ty, tz along the axes of the meshes
+  shoulder,  // plane_of_elevation, elevation, axial_rotation: shoulder_rotation(); tx, ty, tz as above
+  steps,  // rot_x, rot_y, rot_z, trans_x, trans_y, trans_z of BlenderROMFinder, whose axes are taken as those
+          // of the meshes, through the centre of rotation: R = R_z R_y R_x, each about the axis that the one
+          // before turned, and then a shift along the turned axes, R t
+  meshes,  // a matrix in the frame of the meshes
+  centre,  // about the centre of rotation, axes of the meshes
+  joint    // about the centre of rotation; x right, y anterior, z superior
 };
 
-/// One pose a row: either angles in degrees, or a matrix (3 x 4) as twelve numbers, row by row.
+/// A column of a list.
+struct PoseColumn {
+  std::string name;  // as it was given; without one it is not repeated beside answers
+  int number =
+      -1;  // the pose's number that it gives, from 0, in the order above; below 0 for frames and times
+  double sign = 1.0;  // of that number
+};
+
+/// One pose a row.
 struct PoseList {
-  std::vector<PoseColumn> columns;  // empty for matrices
+  PoseKind kind = PoseKind::hip;
+  std::vector<PoseColumn> columns;  // those of a matrix are the last twelve
   std::vector<double> values;       // of all rows, one row after the other; NaN where the file has none
 
-  std::size_t width() const { return columns.empty() ? 12 : columns.size(); }
-  std::size_t size() const { return values.size() / width(); }
-  /// Has the row all of its numbers? A camera that lost its markers leaves rows without.
+  std::size_t width() const { return columns.size(); }
+  std::size_t size() const { return columns.empty() ? 0 : values.size() / width(); }
+  /// Has the row all numbers of its pose? A camera that lost its markers leaves rows without.
   bool tracked(std::size_t row) const;
-  /// Does it have angles that need the side of the body (abduction, rotation)?
+  /// Does it have angles that need the side of the body?
   bool needs_side() const;
-  /// The motion that the angles of a row make; not for matrices.
-  Motion motion(std::size_t row) const;
-  /// Of a list of matrices: x' = rotation x + translation, input frame, mm.
-  Eigen::Matrix3d rotation(std::size_t row) const;
-  Vec3 translation(std::size_t row) const;
+  /// Does it begin at the pose of the scan, whatever landmarks say?
+  bool from_scan() const;
+  /// May the ball leave its place, by a shift or by a matrix of the frame of the meshes?
+  bool shifts() const;
+  /// The pose of a row, about the point and in the axes that `kind` says, mm. The side must be there where it
+  /// is needed.
+  Pose pose(std::size_t row, std::optional<Side> side) const;
 };
 
-/// Every combination of the angles (degrees) in "flexion=0..120/1,internal_rotation=0..40/10,abduction=5":
-/// FIRST..LAST/STEP, or one angle. The last motion named varies fastest. std::invalid_argument, one line, for
-/// anything else, a last angle that the steps do not meet, or more than ten million poses.
-PoseList parse_pose_grid(std::string_view text);
+/// The columns of these names, in any case, and their kind: one of the first three, or none, and columns as
+/// of `hip`, if there is no name. std::invalid_argument, one line, for other names, names of two kinds, and a
+/// number that is given twice.
+PoseList named_poses(const std::vector<std::string>& names);
 
-/// Reads poses; the file's extension decides how:
-///   * .mot or .sto: a motion of OpenSim with inDegrees in its head, and columns hip_flexion_r,
-///     hip_adduction_r, hip_rotation_r (or _l, by `side`), or their states as
-///     /jointset/.../hip_flexion_r/value; other columns are of other joints. OpenSim's hip (gait2392) turns
-///     by flexion about z (right), adduction about x (forward) and rotation about y (up), each in the frame
-///     that the one before turned, adduction and rotation mirrored on the left side: these are the turns of
-///     joint_rotation(), adduction being negative abduction. Its angles are 0 in the model's pose, ours in
-///     the pose of the scan;
-///   * anything else: a CSV. With a header of the names of motions (hip/motion.hpp) its rows are angles in
-///     degrees. Rows of 12 or 16 numbers, with a header or without, are matrices, row by row, x' = M x, frame
-///     of the input, mm. Each becomes the nearest rotation, from which no number may be off by more than
-///     kLargestSkew (gap/nearest_rotation.hpp). A header holds text and no number.
-/// A row with a field that is empty or NaN is kept, as one that is not tracked; a byte order mark is no part
-/// of a file. FileError names the line.
-PoseList read_poses(const std::filesystem::path& file, std::optional<Side> side);
+/// "internal_rotation" of "Internal Rotation".
+std::string plain_name(std::string_view name);
+
+/// Every combination of what stands in "flexion=0..120/1,internal_rotation=0..40/10,abduction=5,tx=-2..2/1":
+/// FIRST..LAST/STEP, or one number; names of one kind (named_poses()). The last one named varies fastest.
+/// std::invalid_argument, one line, for anything else, an angle beyond 180 degrees, a last number that the
+/// steps do not meet, or more than ten million poses.
+PoseList parse_pose_grid(std::string_view text);
 
 }  // namespace impinge

@@ -37,24 +37,26 @@ PoseList list_of(const PosesRequest& request, const SessionJoint& joint) {
   if (list.needs_side() && !joint.side)
     throw FileError(file, "has angles that turn opposite ways on the two sides",
                     "say which with --side left or right");
-  if (list.columns.empty() && joint.joint.frames && joint.joint.frames->femur)
-    throw FileError(file, "its matrices begin at the pose of the scan, and landmarks of the femur at neutral",
+  if (list.from_scan() && joint.joint.frames && joint.joint.frames->femur)
+    throw FileError(file, "its poses begin at that of the scan, and landmarks of the femur at neutral",
                     "give angles, or leave the landmarks out");
   return list;
 }
 
 Pose pose_in(const SessionJoint& joint, const PoseList& list, std::size_t row) {
-  return list.columns.empty() ? pose_about(joint.joint.centre, list.rotation(row), list.translation(row))
-                              : pose_of(joint, list.motion(row));
+  const Pose own = list.pose(row, joint.side);
+  if (list.kind == PoseKind::meshes) return pose_about(joint.joint.centre, own.rotation, own.translation);
+  if (list.from_scan()) return own;
+  return {joint.axes.transpose() * own.rotation * joint.axes, own.translation};
 }
 
 std::string doubt_of(const PosesRequest& request, const SessionJoint& joint, const PoseList& list) {
-  if (!list.columns.empty()) return {};
+  if (!list.shifts()) return {};
   const auto pose_at = [&](std::size_t row) {
     return list.tracked(row) ? pose_in(joint, list, row) : Pose();
   };
   const std::string doubt = doubtful_travel(joint.joint, list.size(), pose_at, 1);
-  return doubt.empty() ? doubt : request.poses->string() + ": " + doubt;
+  return doubt.empty() ? doubt : (request.path ? "path" : request.poses->string()) + ": " + doubt;
 }
 
 SeriesOutputs outputs_of(const PosesRequest& request) {

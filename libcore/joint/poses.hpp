@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "files/fields.hpp"
-#include "joint/pose_list.hpp"
+#include "joint/pose_file.hpp"
 #include "joint/pose_series.hpp"
 #include "joint/session.hpp"
 
@@ -32,9 +32,9 @@ struct PosesRequest {
   static constexpr auto fields() {
     using Asked = PosesRequest;
     return std::tuple{
-        Field{"poses", "", "a CSV of motions or of matrices, or a motion of OpenSim (.mot, .sto)",
+        Field{"poses", "", "a CSV of angles, quaternions or matrices, or a motion of OpenSim (.mot, .sto)",
               &Asked::poses},
-        Field{"path", "", "all combinations of angles, as flexion=0..120/1,internal_rotation=0..40/5",
+        Field{"path", "", "all combinations of angles and shifts in mm, as flexion=0..120/1,tx=-2..2/1",
               &Asked::path},
         Field{"outputs", "", "touch, the smallest gap, impinged areas [touch,gap]", &Asked::outputs},
         Field{"cartilage_mm", "mm", "thickness of both layers together, for areas", &Asked::cartilage_mm,
@@ -44,7 +44,7 @@ struct PosesRequest {
   void check() const;
 };
 
-/// A row of poses.csv; the angles that were given follow.
+/// A row of poses.csv; the columns that were given follow.
 struct PoseRow {
   std::size_t pose = 0;
   std::string_view touch;
@@ -131,7 +131,7 @@ PoseList list_of(const PosesRequest& request, const SessionJoint& joint);
 /// Of a row of the list, in the centre frame.
 Pose pose_in(const SessionJoint& joint, const PoseList& list, std::size_t row);
 
-/// One line where matrices are in another unit or frame; empty where they look right.
+/// One line where poses are in another unit or frame; empty where they look right.
 std::string doubt_of(const PosesRequest& request, const SessionJoint& joint, const PoseList& list);
 
 SeriesOutputs outputs_of(const PosesRequest& request);

@@ -133,6 +133,40 @@ TEST_F(Poses, ARowThatIsNotTrackedKeepsItsNumberAndSaysSo) {
   EXPECT_NE(words_.find("1 without numbers: untracked"), std::string::npos);
 }
 
+// BlenderROMFinder's table comes back with its own column, 1 where nothing touches; steps are about the
+// centre.
+TEST_F(Poses, ATableOfBlenderRomFinderComesBackWithItsValidity) {
+  const auto rows =
+      answered(of("rot_x,rot_y,rot_z,trans_x,trans_y,trans_z,Valid_pose\n"
+                  "0,0,0,0,0,0,0\n30,0,0,0,0,-25,\n90,0,0,0,0,0,\n,0,0,0,0,0,\n"));
+  ASSERT_EQ(rows.size(), 5U);
+  EXPECT_EQ(rows[0][13], "trans_z");
+  EXPECT_EQ(rows[0][14], "Valid_pose");
+  EXPECT_EQ(rows[2][8], "30");
+  for (std::size_t k = 1; k < 4; ++k) EXPECT_EQ(rows[k][14], rows[k][1] == "no" ? "1" : "0") << k;
+  EXPECT_EQ(rows[1][1] + rows[2][1], "noyes");
+  EXPECT_EQ(rows[4][1] + rows[4][14], "untracked");
+  // About z, then about the turned x.
+  Eigen::Matrix3d turned;
+  turned << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  EXPECT_NEAR(std::stod(rows[3][3]), least_gap(joint_, {turned, Vec3::Zero()}), 1e-9);
+}
+
+// What was shown of a row beside its pose comes back, and the pose of two bones is that of the ball in the
+// socket.
+TEST_F(Poses, TwoBonesInARoomAndTheirFrames) {
+  const auto rows =
+      answered(of("Frame;Ball_qw;ball_qx;ball_qy;ball_qz;socket_qw;socket_qx;socket_qy;socket_qz\n"
+                  "7;0,5;0,5;0,5;0,5;1;0;0;0\n8;1;0;0;0;0,5;-0,5;-0,5;-0,5\n9;;;;;1;0;0;0\n"));
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0][8] + rows[0][9], "FrameBall_qw");
+  EXPECT_EQ(rows[3][1] + rows[3][8], "untracked9");
+  Eigen::Matrix3d third;  // of a turn about (1, 1, 1): x to y, y to z, z to x
+  third << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    EXPECT_NEAR(std::stod(rows[k][3]), least_gap(joint_, {third, Vec3::Zero()}), 1e-9) << k;
+}
+
 // A quarter of a turn of flexion about the centre c is x' = R x + c - R c. Its translation is given in
 // another unit, left out, or both bones have moved in the room.
 TEST_F(Poses, MatricesThatNoJointCanFollowGetALineThatSaysWhatToDo) {
@@ -161,6 +195,17 @@ TEST_F(Poses, MatricesThatNoJointCanFollowGetALineThatSaysWhatToDo) {
               !advice.empty())
         << said;
     EXPECT_NE(said.find(advice), said.npos) << said;
+  }
+}
+
+TEST_F(Poses, AGridMayShiftTheBall) {
+  const auto rows = answered("--path flexion=0..60/60,tx=-1..1/1");
+  ASSERT_EQ(rows.size(), 7U);
+  EXPECT_EQ(rows[0][9], "tx");
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const Pose pose{joint_rotation({.flexion = std::stod(rows[k][8])}, Side::left),
+                    Vec3(std::stod(rows[k][9]), 0.0, 0.0)};
+    EXPECT_NEAR(std::stod(rows[k][3]), least_gap(joint_, pose), 1e-9);
   }
 }
 
