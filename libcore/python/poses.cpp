@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <Eigen/Geometry>
+
 #include "gap/nearest_rotation.hpp"
 #include "hip/pose_travel.hpp"
 #include "joint/pose_answer.hpp"
@@ -15,8 +17,9 @@ namespace impinge::python {
 namespace {
 
 constexpr const char* kAdvice =
-    "give angles in degrees of shape (n, 3), flexion, abduction and internal rotation, or matrices of shape "
-    "(n, 4, 4) or (n, 3, 4)";
+    "give angles in degrees of shape (n, 3), flexion, abduction and internal rotation, matrices of shape "
+    "(n, 4, 4) or (n, 3, 4), or quaternions w, x, y, z of shape (n, 4), of which 3 or 4 need the shape (n, "
+    "1, 4)";
 
 [[noreturn]] void refuse(const std::string& what) {
   throw std::invalid_argument("poses: " + what + "; " + kAdvice);
@@ -50,13 +53,27 @@ Pose turned(const SessionJoint& joint, const Motion& motion) {
   }
 }
 
-Pose placed(const SessionJoint& joint, const double* rows, std::size_t place) {
+// Rows of 3 or 4 quaternions have the shape of one matrix, which they are not.
+[[noreturn]] void refuse_matrix(const py::array& array, std::size_t place, const std::string& what) {
+  throw std::invalid_argument("poses: matrix " + std::to_string(place) + " " + what +
+                              (array.ndim() == 2 ? "; quaternions, 3 or 4, need the shape (n, 1, 4)" : ""));
+}
+
+Pose placed(const SessionJoint& joint, const py::array& array, const double* rows, std::size_t place) {
   const Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> matrix(rows);
   const auto rotation = nearest_rotation(matrix.leftCols<3>());
   if (!rotation || !matrix.allFinite())
-    throw std::invalid_argument("poses: matrix " + std::to_string(place) +
-                                " does not turn only: it is more than 0.0001 off from any rotation");
+    refuse_matrix(array, place, "does not turn only: it is more than 0.0001 off from any rotation");
   return pose_about(joint.joint.centre, *rotation, matrix.col(3));
+}
+
+// About the centre, in the axes of the meshes.
+Pose turned_by(const double* wxyz, std::size_t place) {
+  const Eigen::Quaterniond given(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+  if (!(std::abs(given.norm() - 1.0) <= kLargestLengthError))
+    throw std::invalid_argument("poses: quaternion " + std::to_string(place) +
+                                " has not the length 1; give w, x, y, z of unit length");
+  return {given.normalized().toRotationMatrix(), Vec3::Zero()};
 }
 
 }  // namespace
@@ -70,14 +87,18 @@ std::vector<Pose> poses_of(const SessionJoint& joint, const py::object& given) {
   const bool matrices =
       array.ndim() >= 2 && array.ndim() <= 3 && size(1) == 4 && (size(2) == 3 || size(2) == 4);
   const bool angles = array.ndim() >= 1 && array.ndim() <= 2 && size(1) == 3;
-  if (!matrices && !angles) refuse("an array of shape " + shape_text(array) + " holds none");
-  const auto stride = static_cast<std::size_t>(matrices ? 4 * size(2) : 3);
+  const bool quaternions =
+      !matrices && size(1) == 4 && (array.ndim() <= 2 || (array.ndim() == 3 && size(2) == 1));
+  if (!matrices && !angles && !quaternions) refuse("an array of shape " + shape_text(array) + " holds none");
+  const auto stride = static_cast<std::size_t>(matrices ? 4 * size(2) : size(1));
   std::vector<Pose> poses(static_cast<std::size_t>(array.size()) / stride);
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const double* row = array.data() + k * stride;
     if (stride == 16 && (row[12] != 0.0 || row[13] != 0.0 || row[14] != 0.0 || row[15] != 1.0))
-      throw std::invalid_argument("poses: the last row of matrix " + std::to_string(k) + " is not 0,0,0,1");
-    poses[k] = matrices ? placed(joint, row, k) : turned(joint, motion_at(row));
+      refuse_matrix(array, k, "has another last row than 0,0,0,1");
+    poses[k] = matrices      ? placed(joint, array, row, k)
+               : quaternions ? turned_by(row, k)
+                             : turned(joint, motion_at(row));
   }
   if (!matrices) return poses;
   const std::string doubt =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fuzz_seeds DIR: writes DIR/mesh (small meshes in every format) and DIR/options (command lines), in place of
-// what is there, and DIR/mesh.list and DIR/options.list, their names with commas between.
+// fuzz_seeds DIR: writes DIR/mesh (small meshes in every format), DIR/options (command lines) and DIR/poses,
+// in place of what is there, and DIR/mesh.list and so on, their names with commas between.
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -104,6 +104,22 @@ void add_options(Seeds& seeds) {
   seeds.add("--help");
 }
 
+// A digit first: 1 for a file of OpenSim.
+void add_poses(Seeds& seeds) {
+  const std::string unit = "1,0,0,0,0,1,0,0,0,0,1,7";
+  seeds.add("0\xEF\xBB\xBF\"Flexion\";abduction;Frame\n10,5;5;1\n;nan;2\n");
+  seeds.add("0plane_of_elevation\televation\taxial_rotation\ttx\n30\t80\t-20\t1\n");
+  seeds.add("0rot_x,rot_y,rot_z,trans_x,trans_y,trans_z,Valid_pose\n10,20,30,1,2,3,1\n");
+  seeds.add("0qw,qx,qy,qz,tx,ty,tz\n0.5,0.5,-0.5,0.5,1,2,3\n");
+  seeds.add("0ball_qw,ball_qx,ball_qy,ball_qz,socket_qw,socket_qx,socket_qy,socket_qz\n1,0,0,0,0,1,0,0\n");
+  seeds.add("0" + unit + "\n,,,,,,,,,,,\n" + unit + ",0,0,0,1\n");
+  const std::string labels = "time\thip_flexion_r\thip_adduction_r\thip_rotation_r\n0\t10\t20\t30\n";
+  seeds.add("1walk\ninDegrees=yes\nendheader\n" + labels);
+  seeds.add(
+      "1DataType=Quaternion\nendheader\ntime\tpelvis_imu\tfemur_r_imu\n0\t1,0,0,0\t0,1,0,0\n"
+      "1\t0,0,1,0\t0,0,0,1\n");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -116,5 +132,8 @@ int main(int argc, char** argv) {
   meshes.write_list();
   Seeds options(folder / "options");
   add_options(options);
+  Seeds poses(folder / "poses");
+  add_poses(poses);
+  poses.write_list();
   options.write_list();
 }

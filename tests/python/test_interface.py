@@ -36,7 +36,7 @@ REFUSED = [
     (ValueError, lambda j: j.touch("bend=3"), "unknown motion 'bend'"),
     (ValueError, lambda j: j.touch(np.diag([-1.0, 1, 1, 1])), "poses: matrix 0 does not turn only"),
     (ValueError, lambda j: j.touch(np.full((1, 3, 4), np.nan)), "poses: matrix 0 does not turn only"),
-    (ValueError, lambda j: j.touch(np.diag([1.0, 1, 1, 2])), "poses: the last row of matrix 0 is not 0,0,0,1"),
+    (ValueError, lambda j: j.touch(np.diag([1.0, 1, 1, 2])), "poses: matrix 0 has another last row than 0,0,0,1; quaternions, 3 or 4, need"),
     (ValueError, lambda j: j.gaps(TURNS, precision_deg=0), "precision"),
     (ValueError, lambda j: j.gaps(TURNS, out=(np.empty((5, 3), np.float32), None)), "out: give two writable float32 arrays"),
     (ValueError, lambda j: j.gaps(TURNS, out=(j.gaps(TURNS)[0].astype(float), None)), "out: give two writable float32"),

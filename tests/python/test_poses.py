@@ -86,6 +86,23 @@ def test_tables_come_near_the_faces(hip):
             assert (exact != table)[both].any()
 
 
+def test_quaternions_have_w_first_and_turn_about_the_centre(hip):
+    random = np.random.default_rng(3)
+    given = random.normal(size=(6, 4))
+    given /= np.linalg.norm(given, axis=1)[:, None]
+    found = hip.matrices(given)
+    points = random.normal(size=(10, 3)) * 30
+    for (w, *v), matrix in zip(given, found):
+        turned = points + 2 * np.cross(v, np.cross(v, points) + w * points)  # of vectors alone
+        assert np.allclose((hip.centre + points) @ matrix[:3, :3].T + matrix[:3, 3], hip.centre + turned, atol=1e-12)
+    assert np.array_equal(hip.matrices(given[:4, None]), found[:4]) and np.array_equal(hip.matrices(given[0]), found[:1])
+    for lone in (3, 4):  # which has the shape of one matrix
+        with pytest.raises(ValueError, match=r"matrix 0 .*; quaternions, 3 or 4, need the shape \(n, 1, 4\)"):
+            hip.matrices(given[:lone])
+    with pytest.raises(ValueError, match="poses: quaternion 1 has not the length 1; give w, x, y, z of unit length"):
+        hip.matrices([(1, 0, 0, 0), (0, 0, 0, 0)])
+
+
 def test_arrays_are_shared_and_not_copied(hip):
     vertices = hip.ball.vertices
     assert np.shares_memory(vertices, hip.ball.vertices) and not vertices.flags.writeable

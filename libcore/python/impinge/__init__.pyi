@@ -6,7 +6,9 @@ Poses are
   * angles, shape (n, 3) or (3,): flexion, abduction and internal rotation, 0 in the pose of the scan, joint coordinate
     system of Grood and Suntay 1983; abduction and rotation need the side;
   * a text as "flexion=90,internal_rotation=10";
-  * matrices, shape (n, 4, 4), (n, 3, 4) or one of them: x' = M x in the frame of the meshes, mm.
+  * matrices, shape (n, 4, 4), (n, 3, 4) or one of them: x' = M x in the frame of the meshes, mm;
+  * quaternions w, x, y, z of length 1, shape (n, 4) or (4,), (n, 1, 4) for 3 or 4 of them (which have the shape of one
+    matrix): turns about the centre of rotation in the axes of the meshes.
 Arrays of doubles in C order are read where they are; others are copied once. Long questions run without Python's lock,
 and Ctrl-C ends many poses, many motions and the volume; the other questions end when they are answered. Errors are
 ValueError for what is given, FileError or RuntimeError for meshes, with one line that says what to do; what looks wrong in
@@ -373,7 +375,7 @@ class Joint:
         """PLY, STL, OBJ or OFF, in mm. side: "left" or "right", of the body. axes: where +x, +y and +z point, as "LPS"; what
         3D Slicer wrote into the headers where it is None, else RAS.
         centre of rotation: (x, y, z) in the frame of the meshes, that of the sphere that fits the ball where it is None.
-        landmarks: markups of 3D Slicer (.mrk.json) or a CSV label,x,y,z, mm, with the labels of `impinge --landmarks`; or a
+        landmarks: markups of 3D Slicer (.mrk.json, .fcsv, its table) or a CSV label,x,y,z, mm, with the labels of `impinge --landmarks`; or a
         dict of places by these labels, in the frame of the meshes. They give the frame of the pelvis, and Joint.landmarks
         its tilt; with epicondyles that of the femur too, and the ball is turned to neutral, from which angles are then
         counted. keep: "all", or "largest", of each mesh the piece of the largest area alone. overlap_mm: to this depth
