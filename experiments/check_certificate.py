@@ -19,10 +19,10 @@ def need(condition, reason):
         raise ValueError(reason)
 
 
-def number(text):  # rational: a decimal, a fraction or a binary float
+def number(text):  # rational: a decimal or a binary float
     if isinstance(text, str):
         digits, _, power = text.lower().partition("e")
-        need(max(len(digits), 15 * len(power)) <= 60 and set(digits) <= set("+-.0123456789/"), f"{text[:60]}: no number")
+        need(max(len(digits), 15 * len(power)) <= 60 and set(digits + power) <= set("+-.0123456789"), f"{text[:60]}: no number")
         return Fraction(text)
     return text
 
@@ -51,7 +51,7 @@ def read_ply(data):
         columns = {p[-1]: k for k, p in enumerate(properties)}
         need(name not in rows and len(columns) == len(properties), "a PLY file names one thing twice")
         rows[name] = columns, [[take(p[2], int(take(p[1], 1)[0])) if p[0] == "list" else take(p[0], 1)[0] for p in properties] for _ in range(int(count))]
-    need(title == "format" and place == len(source), "a PLY file is not as its header says")
+    need(title == "format" and place == len(source) and "tristrips" not in rows, "a PLY file is not as its header says, or has strips")
     (at, points), (corners, faces) = rows["vertex"], rows["face"]
     corner = corners.get("vertex_indices", corners.get("vertex_index"))
     return [[p[at["x"]], p[at["y"]], p[at["z"]]] for p in points], [[int(i) for i in f[corner]] for f in faces]
@@ -67,7 +67,7 @@ class Body:
             self.files.append(f"{path} (sha256 {hashlib.sha256(data).hexdigest()})")
             if path.lower().endswith(".obj"):
                 lines = [line.split("#")[0].split() for line in data.decode("utf-8", "replace").split("\n")]
-                points = [line[1:4] for line in lines if line[:1] == ["v"]]
+                points = [line[1 : 5 if len(line) == 5 else 4] for line in lines if line[:1] == ["v"]]  # no weights: they are a fourth number
                 faces = [[int(word.split("/")[0]) - 1 for word in line[1:]] for line in lines if line[:1] == ["f"]]
             else:
                 points, faces = read_ply(data)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""impinge certify, and what check_certificate.py says of it: accepted as it is, refused after any change that makes it false.
+"""impinge certify, and what check_certificate.py and .cpp say of it: accepted as it is, refused after any change that makes it false.
 
-IMPINGE names the program. With IMPINGE_BONES set, real joints are certified too.
+IMPINGE and CHECK_CERTIFICATE name the programs. With IMPINGE_BONES set, real joints are certified too.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from generated_pair import IMPINGE, GeneratedPair, run  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 CHECKER = ROOT / "experiments" / "check_certificate.py"
+FAST = os.environ["CHECK_CERTIFICATE"]
 BONES = os.environ.get("IMPINGE_BONES", "")
 LIMIT = ["--motion", "internal_rotation", "--pose", "flexion=80"]
 
@@ -68,6 +69,8 @@ class Certificate(GeneratedPair):
         done = run(sys.executable, CHECKER, self.root / name / "certificate.txt", ball or self.ball, socket or self.socket, *parts)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertTrue(done.stdout.startswith(says), done.stdout)
+        fast = run(FAST, self.root / name / "certificate.txt", ball or self.ball, socket or self.socket, *parts)
+        self.assertEqual((fast.returncode, fast.stderr, fast.stdout.split()[0]), (0, "", done.stdout.split(":")[0]), fast.stdout)
         return done.stdout
 
     def refused(self, lines: list[str], reason="", *parts, ball=None, socket=None):
@@ -76,6 +79,9 @@ class Certificate(GeneratedPair):
         done = run(sys.executable, CHECKER, changed, ball or self.ball, socket or self.socket, *parts)
         self.assertEqual((done.returncode, done.stdout), (1, ""), "accepted")
         self.assertRegex(done.stderr, f"^refused: .*{reason}.*\n$")
+        fast = run(FAST, changed, ball or self.ball, socket or self.socket, *parts)
+        self.assertIn(fast.returncode, (1, 2))
+        self.assertNotRegex(fast.stdout, "^(clear|contact)")
 
     def test_the_checker_is_short_and_stands_alone(self):
         lines = CHECKER.read_text().splitlines()
@@ -226,6 +232,7 @@ class Certificate(GeneratedPair):
                 files = {"ball": self.ball, "socket": self.socket, part: moved}
                 done = run(sys.executable, CHECKER, self.root / "same.txt", files["ball"], files["socket"])
                 refused += done.returncode == 1
+                self.assertEqual(run(FAST, self.root / "same.txt", files["ball"], files["socket"]).returncode, done.returncode)
                 self.assertEqual(done.stderr == "", done.returncode == 0)
             self.assertGreater(refused, 2, (part, factor))
 
