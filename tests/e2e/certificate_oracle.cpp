@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Do two bodies touch in poses? By CGAL's exact numbers, from text: of the ball, then of the socket, the
 // number of files, and of each the numbers of its corners and faces, the corners (fractions) and the faces;
-// then poses: centre, shift, and the quaternion w x y z of integers. A line a pose: whether surfaces meet,
-// and whether a corner is inside a closed file.
+// then poses: what is said of it, the centre, the shift, and the quaternion w x y z of integers. A line a
+// pose: whether surfaces meet; and, where they do not and not only this is asked ("apart"), whether a corner
+// is inside a closed file.
 #include <iostream>
 #include <random>
 #include <set>
@@ -118,9 +119,8 @@ bool one_inside(const Body& a, const Body& b, bool outside_of_first) {
 }
 
 void answer(const Body& ball, const Body& socket) {
-  for (std::string centre_x; std::cin >> centre_x;) {
-    const Kernel::FT cx{CGAL::Exact_rational(centre_x)};
-    const Kernel::FT cy = next(), cz = next(), tx = next(), ty = next(), tz = next();
+  for (std::string asked; std::cin >> asked;) {
+    const Kernel::FT cx = next(), cy = next(), cz = next(), tx = next(), ty = next(), tz = next();
     const Kernel::FT w = next(), x = next(), y = next(), z = next(), n = w * w + x * x + y * y + z * z;
     const Turn turn(w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y), n * tx,
                     2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x), n * ty,
@@ -130,7 +130,8 @@ void answer(const Body& ball, const Body& socket) {
     const Tree first(b[0].triangles.begin(), b[0].triangles.end());
     const bool round = b[0].closed && inside(first, Point(0, 0, 0));
     const bool surfaces = meet(a, b);
-    std::cout << surfaces << ' ' << (one_inside(a, b, round) || one_inside(b, a, false)) << '\n';
+    const bool inside = asked != "apart" && !surfaces && (one_inside(a, b, round) || one_inside(b, a, false));
+    std::cout << surfaces << ' ' << inside << '\n';
   }
 }
 
@@ -141,8 +142,7 @@ int main() {
     const Body ball = next_body(), socket = next_body();
     answer(ball, socket);
     return 0;
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
+  } catch (...) {
     return 1;
   }
 }

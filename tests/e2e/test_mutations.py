@@ -198,7 +198,7 @@ def main(number: int) -> None:
                 for pose, says in claims(dice, lines) if yes else ():
                     poses.setdefault((tuple(ball), tuple(socket)), {}).setdefault((pose, says), lines)
         for (ball, socket), asked in poses.items():
-            given = "\n".join([text_of(ball), text_of(socket), *(pose for pose, _ in asked)])
+            given = "\n".join([text_of(ball), text_of(socket), *(f"{says} {pose}" for pose, says in asked)])
             done = subprocess.run([ORACLE], input=given, capture_output=True, text=True, check=True)
             for ((pose, says), lines), answer in zip(asked.items(), done.stdout.splitlines(), strict=True):
                 meet, inside = (word == "1" for word in answer.split())
