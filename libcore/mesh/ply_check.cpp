@@ -106,7 +106,7 @@ class Walk {
     throw_damaged(element, i);
   }
 
-  double value(PlyType type, const PlyElement& element, std::int64_t i) {
+  double value(NumberType type, const PlyElement& element, std::int64_t i) {
     const std::optional<double> x = values_->next(type);
     if (!x) throw_damaged(element, i);
     return *x;

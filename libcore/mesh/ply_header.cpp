@@ -14,7 +14,7 @@ using Words = std::vector<std::string_view>;
 
 struct NamedType {
   std::string_view name;
-  PlyType type;
+  NumberType type;
 };
 
 constexpr std::array<NamedType, 16> kTypes{{
@@ -36,7 +36,7 @@ constexpr std::array<NamedType, 16> kTypes{{
     {"float64", {8, true, true}},
 }};
 
-std::optional<PlyType> to_type(std::string_view name) {
+std::optional<NumberType> to_type(std::string_view name) {
   const auto* const found = std::ranges::find(kTypes, name, &NamedType::name);
   return found == kTypes.end() ? std::nullopt : std::optional(found->type);
 }
@@ -52,8 +52,8 @@ std::optional<PlyFormat> to_format(std::string_view name) {
 std::optional<PlyProperty> to_property(const Words& words) {
   const bool list = words.size() == 5 && words[1] == "list";
   if (!list && words.size() != 3) return std::nullopt;
-  const std::optional<PlyType> type = to_type(words[words.size() - 2]);
-  const std::optional<PlyType> count = list ? to_type(words[2]) : std::nullopt;
+  const std::optional<NumberType> type = to_type(words[words.size() - 2]);
+  const std::optional<NumberType> count = list ? to_type(words[2]) : std::nullopt;
   if (!type || (list && (!count || count->floating))) return std::nullopt;
   return PlyProperty{std::string(words.back()), *type, count};
 }

@@ -9,20 +9,15 @@
 #include <string_view>
 #include <vector>
 
-namespace impinge {
+#include "mesh/number_bytes.hpp"
 
-/// A scalar type, by either of its names (such as float and float32).
-struct PlyType {
-  std::size_t size = 0;    // bytes
-  bool floating = false;   // a float or double
-  bool is_signed = false;  // of integers
-};
+namespace impinge {
 
 /// One value or list of every item of an element.
 struct PlyProperty {
-  std::string name;              // as in the file
-  PlyType type;                  // of the value, or of the values of a list
-  std::optional<PlyType> count;  // of the length in front of a list
+  std::string name;                 // as in the file
+  NumberType type;                  // of the value, or of the values of a list
+  std::optional<NumberType> count;  // of the length in front of a list
 };
 
 /// A kind of items, such as vertex or face.

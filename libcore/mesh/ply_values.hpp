@@ -15,7 +15,7 @@ class PlyValues {
   /// Call it before each vertex, face, ...: in ascii files each has its own line.
   virtual void next_record() = 0;
   /// The next number; none past the end (of the line), or if the text there is no number.
-  virtual std::optional<double> next(PlyType type) = 0;
+  virtual std::optional<double> next(NumberType type) = 0;
 };
 
 /// The bytes that `header` was parsed from must outlive the result.
