@@ -43,7 +43,8 @@ struct MeshFileContent {
 /// file (a last line without line end is legal).
 MeshFileContent check_ply(const std::filesystem::path& file, std::string_view bytes);
 
-/// Binary: the size must be 84 + 50 n bytes. Ascii: complete facets, and endsolid at the end.
+/// Binary: 84 + 50 n bytes; what is behind them is cut off, unless it could be more triangles. Ascii, in any
+/// case: complete facets, and endsolid at the end.
 MeshFileContent check_stl(const std::filesystem::path& file, std::string& bytes);
 
 /// Text with the keyword OFF, COFF, NOFF, CNOFF or STOFF; cuts are found as in ascii PLY.

@@ -27,9 +27,14 @@ std::uint64_t declared_triangles(std::string_view bytes) {
       "export or copy it again");
 }
 
+bool same_word(std::string_view word, std::string_view lower) {
+  return std::ranges::equal(
+      word, lower, [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b); });
+}
+
 // Are these the three numbers behind n words, the first of which is `word`?
 bool has_numbers(const std::vector<std::string_view>& words, std::string_view word, std::ptrdiff_t n) {
-  return words.size() == static_cast<std::size_t>(n) + 3 && words[0] == word &&
+  return words.size() == static_cast<std::size_t>(n) + 3 && same_word(words[0], word) &&
          std::all_of(words.begin() + n, words.end(),
                      [](std::string_view w) { return to_number(w).has_value(); });
 }
@@ -42,7 +47,7 @@ void take_facet(const fs::path& file, LineScanner& lines, std::size_t facet, std
   };
   const auto starts = [&lines](std::string_view word) {
     const auto& words = lines.next_words();
-    return !words.empty() && words[0] == word;
+    return !words.empty() && same_word(words[0], word);
   };
   text += "facet normal 0 0 0\nouter loop\n";
   expect(starts("outer"));
@@ -64,10 +69,10 @@ MeshFileContent check_ascii(const fs::path& file, std::string& bytes) {
   while (true) {
     const auto& words = lines.next_words();
     if (words.empty()) break;
-    ended = words[0] == "endsolid";
+    ended = same_word(words[0], "endsolid");
     if (has_numbers(words, "facet", 2)) {
       take_facet(file, lines, content.polygons++, text);
-    } else if (words[0] != "solid" && !ended) {
+    } else if (!same_word(words[0], "solid") && !ended) {
       throw_damaged(file, content.polygons);
     }
   }
@@ -80,19 +85,22 @@ MeshFileContent check_ascii(const fs::path& file, std::string& bytes) {
 
 MeshFileContent check_stl(const fs::path& file, std::string& bytes) {
   MeshFileContent content;
-  const bool ascii = bytes.starts_with("solid") && bytes.find('\0') == std::string_view::npos;
-  if (bytes.size() >= kHeader && declared_triangles(bytes) * kTriangle + kHeader == bytes.size()) {
-    content.polygons = declared_triangles(bytes);
+  const bool ascii =
+      same_word(std::string_view(bytes).substr(0, 5), "solid") && bytes.find('\0') == bytes.npos;
+  const bool headed = bytes.size() >= kHeader;
+  const std::uint64_t declared = headed ? declared_triangles(bytes) : 0;
+  const std::uint64_t size = kHeader + declared * kTriangle;
+  const bool more = !ascii && declared > 0 && bytes.size() > size && (bytes.size() - size) % kTriangle != 0;
+  if (headed && (bytes.size() == size || more)) {
+    content.polygons = declared;
+    bytes.resize(size);
   } else if (ascii) {
     content = check_ascii(file, bytes);
   } else {
-    const std::string declared =
-        bytes.size() < kHeader
-            ? ""
-            : ", its header declares " + std::to_string(declared_triangles(bytes)) + " triangles";
+    const std::string said = headed ? ", its header declares " + std::to_string(declared) + " triangles" : "";
     throw FileError(file,
                     "is neither ascii STL nor binary STL of 84 + 50 n bytes: it has " +
-                        std::to_string(bytes.size()) + " bytes" + declared,
+                        std::to_string(bytes.size()) + " bytes" + said,
                     "it may be cut short, export or copy it again");
   }
   if (content.polygons == 0) throw FileError(file, "has no faces", "export the surface again");

@@ -88,6 +88,13 @@ test('a fault is told in words of the page, not of JavaScript', async () => {
   await assert.rejects(readMesh(file('a.ply', new ArrayBuffer(9))), ({ message }) => /^a\.ply: .*; /.test(message) && !/undefined|Cannot read/.test(message));
 });
 
+test('an STL in capitals is read, and a file of VTK refused', async () => {
+  const text = 'SOLID A\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1.5E1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\nENDSOLID A\n';
+  const file = (name) => ({ name, size: text.length, arrayBuffer: () => Promise.resolve(new TextEncoder().encode(text).buffer) });
+  assert.deepEqual([...(await words.readMesh(file('A.STL'))).positions], [0, 0, 0, 15, 0, 0, 0, 1, 0]);
+  await assert.rejects(words.readMesh(file('a.vtp')), ({ message }) => message === 'a.vtp: this kind of file is not read here; save it as PLY, STL or OBJ, or use the program impinge');
+});
+
 test('a unit is offered where a human head would have it', () => {
   assert.deepEqual(words.likelyUnits(24, 'mm'), []);
   assert.deepEqual(words.likelyUnits(0.024, 'mm'), ['m']);

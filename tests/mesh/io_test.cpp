@@ -4,6 +4,8 @@
 //   says so; and every dialect below reads alike.
 #include "mesh/io.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -129,6 +131,11 @@ TEST(ReadMesh, StlDialects) {
   };
   EXPECT_EQ(volume(test::binary_stl(mesh, "solid although binary")), 36.0);
   EXPECT_EQ(volume(test::ascii_stl(mesh, "facet of a name")), 36.0);
+  std::string capitals = test::ascii_stl(mesh);
+  std::ranges::transform(capitals, capitals.begin(), [](unsigned char c) { return std::toupper(c); });
+  EXPECT_EQ(volume(capitals), 36.0);
+  for (const std::size_t more : {1U, 2U, 49U, 51U, 512U})
+    EXPECT_EQ(volume(test::binary_stl(mesh) + std::string(more, '\0')), 36.0) << more;
   TriangleMesh far = mesh;
   for (Vec3& v : far.vertices) v.x() += 100.0;
   const TriangleMesh two =

@@ -28,16 +28,24 @@ function fromObj(file, bytes) {
   return { name: file.name, positions: Float64Array.from(meshes.flatMap((mesh) => [...mesh.positions])), faces: null };
 }
 
+/** The loader knows ascii STL in small letters alone. */
+function plainStl(bytes) {
+  const start = new TextDecoder().decode(bytes.slice(0, 5));
+  if (start === "solid" || start.toLowerCase() !== "solid") return bytes;
+  const text = new TextDecoder().decode(bytes);
+  return text.includes("\0") ? bytes : text.toLowerCase();
+}
+
 const READERS = {
   ply: (file, bytes) => fromGeometry(file, new PLYLoader().parse(bytes)),
-  stl: (file, bytes) => fromGeometry(file, new STLLoader().parse(bytes)),
+  stl: (file, bytes) => fromGeometry(file, new STLLoader().parse(plainStl(bytes))),
   obj: fromObj,
 };
 
 /** { name, positions, faces, head } of a File. A BadFile names the file, the reason and the cure. */
 export async function readMesh(file) {
   const reader = READERS[file.name.split(".").pop().toLowerCase()];
-  if (!reader) fail(file, "this kind of file is not read here", "save it as PLY, STL or OBJ");
+  if (!reader) fail(file, "this kind of file is not read here", "save it as PLY, STL or OBJ, or use the program impinge");
   if (file.size > LARGEST) fail(file, "it has more than 200 MB", "give a mesh of fewer faces, or use the program impinge");
   try {
     const bytes = await file.arrayBuffer();
