@@ -56,6 +56,10 @@ fs::path Work::output(const std::string& name) const {
   return file;
 }
 
+std::string Work::mesh_file(const std::string& stem) const {
+  return stem + '.' + std::string(word_of(mesh_format));
+}
+
 AnswerFolder::AnswerFolder(fs::path folder) : folder_(std::move(folder)), there_(existing(folder_)) {
   require_writable_folder(folder_);
 }

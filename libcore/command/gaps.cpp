@@ -8,6 +8,7 @@
 #include "command/question_command.hpp"
 #include "files/formatted.hpp"
 #include "joint/joint_files.hpp"
+#include "mesh/io.hpp"
 
 namespace impinge {
 namespace {
@@ -108,8 +109,12 @@ Told told(Session& session, const GapsRequest& request, const Work& work) {
   };
   if (asked(Output::gaps)) {
     for (const Surface surface : kSurfaces) {
-      if (!found.found.of(surface).gap.empty())
-        told.files.push_back({std::string(name(surface)) + ".ply", surface_ply(joint, found.found, surface)});
+      if (found.found.of(surface).gap.empty()) continue;
+      const std::string file = work.mesh_file(std::string(name(surface)));
+      const auto write = [&](const TriangleMesh& mesh, const MeshNotes& notes) {
+        return mesh_bytes(file, mesh, notes);
+      };
+      told.files.push_back({file, surface_file(joint, found.found, surface, write)});
     }
     told.files.push_back({"gaps.csv", gaps_csv(joint, found.found)});
   }
@@ -124,6 +129,7 @@ QuestionCommand gaps_question() {
       "gaps", "All gaps of a pose: where the joint is narrow, what impinges, with coloured meshes.",
       "femur.ply pelvis.ply --side right --pose flexion=90 --out pose", &told);
   made.takes_map = true;
+  made.writes_meshes = true;
   return made;
 }
 

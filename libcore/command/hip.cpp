@@ -13,6 +13,7 @@
 #include "hip/hip_presets.hpp"
 #include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"
+#include "mesh/mesh_format.hpp"
 
 namespace impinge {
 namespace {
@@ -26,26 +27,32 @@ struct HipOptions {
   std::vector<std::string> changes;
   std::size_t faces = 12000;
   fs::path out;
+  MeshFormat format = MeshFormat::ply;
 };
+
+// Writes a mesh in a file of that name, which it returns.
+fs::path write(const HipOptions& options, const std::string& name, const TriangleMesh& mesh) {
+  const fs::path file = options.out / (name + '.' + std::string(word_of(options.format)));
+  write_mesh(file, mesh, {.axes = "RAS"});
+  return file;
+}
 
 // Writes the parts of a mesh, each in a file of its name, and returns the option that gives them to a
 // question.
-std::string write_parts(const fs::path& out, const TriangleMesh& mesh, const std::vector<MeshPart>& parts,
-                        const std::string& option) {
+std::string write_parts(const HipOptions& options, const TriangleMesh& mesh,
+                        const std::vector<MeshPart>& parts, const std::string& option) {
   std::string text;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     std::string name = parts[k].name;
     for (char& c : name) c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    const fs::path file = out / (name + ".ply");
-    write_mesh(file, part_surface(mesh, parts, k));
-    text += " " + option + " " + file.string();
+    text += " " + option + " " + write(options, name, part_surface(mesh, parts, k)).string();
   }
   return text;
 }
 
-void write_both(const fs::path& out, const BallSocketPair& meshes) {
-  write_mesh(out / "ball.ply", meshes.ball);
-  write_mesh(out / "socket.ply", meshes.socket);
+std::string write_both(const HipOptions& options, const BallSocketPair& meshes) {
+  return write(options, "ball", meshes.ball).string() + " " +
+         write(options, "socket", meshes.socket).string();
 }
 
 void make(const HipOptions& options, std::ostream& out) {
@@ -53,8 +60,7 @@ void make(const HipOptions& options, std::ostream& out) {
     if (!options.changes.empty())
       throw std::invalid_argument("--set: changes a hip, and the pair is none; leave it out");
     require_writable_folder(options.out);
-    write_both(options.out, make_ball_socket_pair(options.faces));
-    out << "wrote               " << (options.out / "{ball.ply,socket.ply}").string()
+    out << "wrote               " << write_both(options, make_ball_socket_pair(options.faces))
         << ": a ball in a socket" << std::endl;
     return;
   }
@@ -65,14 +71,11 @@ void make(const HipOptions& options, std::ostream& out) {
   });
   const Hip made = make_hip(parameters, options.faces);
   require_writable_folder(options.out);
-  write_both(options.out, main_surfaces(made));
-  const std::string ask = " " + (options.out / "ball.ply").string() + " " +
-                          (options.out / "socket.ply").string() + " --side " +
-                          std::string(word_of(parameters.side)) +
-                          write_parts(options.out, made.ball, made.ball_parts, "--ball-part") +
-                          write_parts(options.out, made.socket, made.socket_parts, "--socket-part");
-  out << "wrote               " << (options.out / "{ball.ply,socket.ply}").string() << ": a "
-      << word_of(parameters.side)
+  const std::string both = write_both(options, main_surfaces(made));
+  const std::string ask = " " + both + " --side " + std::string(word_of(parameters.side)) +
+                          write_parts(options, made.ball, made.ball_parts, "--ball-part") +
+                          write_parts(options, made.socket, made.socket_parts, "--socket-part");
+  out << "wrote               " << both << ": a " << word_of(parameters.side)
       << " hip, axes RAS, the centre at the origin\nask it              impinge limits" << ask << std::endl;
 }
 
@@ -99,6 +102,7 @@ void add_hip_command(CLI::App& program, const Screen& screen, std::function<void
       ->type_name("N")
       ->check(in_range({20, 1e8}, true));
   app.add_option("-o,--out", options->out, "folder for the meshes")->type_name("DIR")->required();
+  add_word(app, "--mesh-format", options->format, "of the meshes");
   app.parse_complete_callback(
       [options, &screen, &work] { work = [options, &screen] { make(*options, screen.out); }; });
 }

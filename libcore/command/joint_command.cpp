@@ -31,6 +31,7 @@ struct JointCommand {
   bool xml = false;
   const CLI::App* app = nullptr;
   std::size_t threads = 0;
+  MeshFormat mesh_format = MeshFormat::ply;
 };
 
 Json document_schema(const QuestionCommand& question) {
@@ -159,6 +160,7 @@ Work work_of(const JointCommand& command, const Screen& screen) {
   work.threads = command.threads > 0 ? command.threads : std::max(1U, std::thread::hardware_concurrency());
   work.log = &screen.log;
   work.quiet = command.quiet;
+  work.mesh_format = command.mesh_format;
   return work;
 }
 
@@ -273,7 +275,7 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
   CLI::App& app = *program.add_subcommand(command->question.name, command->question.text);
   app.footer("Example: impinge " + command->question.name + " " + command->question.example);
   CLI::Option* const ball =
-      app.add_option("BALL", command->joint.ball, "mesh with the ball: PLY, STL, OBJ or OFF, in mm")
+      app.add_option("BALL", command->joint.ball, "mesh with the ball: PLY, STL, OBJ, OFF, VTP or VTK, in mm")
           ->type_name("FILE");
   app.add_option("SOCKET", command->joint.socket, "mesh with the socket, in the same frame")
       ->type_name("FILE");
@@ -284,6 +286,9 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
       app.add_option("--out", command->out, "folder for files; without it the answer is on the screen alone")
           ->type_name("DIR")
           ->group(group);
+  if (command->question.writes_meshes)
+    add_word(app, "--mesh-format", command->mesh_format, "of the meshes that are written")
+        ->group("The question");
   app.add_flag("--json", command->json, "print the document that summary.json holds, in place of words")
       ->group(group);
   CLI::Option* const joints = app.add_option("--joints", command->joints,

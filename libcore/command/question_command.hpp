@@ -21,6 +21,7 @@
 #include "joint/document.hpp"
 #include "joint/scan_contact.hpp"
 #include "joint/session.hpp"
+#include "mesh/mesh_format.hpp"
 
 namespace impinge {
 
@@ -31,6 +32,7 @@ struct Work {
   std::ostream* log = nullptr;                  // for warnings and progress
   bool quiet = false;                           // no progress
   std::vector<std::filesystem::path> inputs{};  // no output takes their place
+  MeshFormat mesh_format = MeshFormat::ply;     // of meshes that are written
 
   /// A line of progress.
   void say(const std::string& line) const;
@@ -38,6 +40,8 @@ struct Work {
   void warn(const std::string& line) const;
   /// A file in `out`; std::runtime_error if it is an input.
   std::filesystem::path output(const std::string& name) const;
+  /// The name of a mesh's file.
+  std::string mesh_file(const std::string& stem) const;
 };
 
 /// A file of an answer.
@@ -71,6 +75,7 @@ struct QuestionCommand {
   std::function<void(CLI::App&)> add_options{};  // of the request
   std::vector<const char*> without{};            // options of the joint that it does not take
   bool takes_map = false;                        // of the thickness of cartilage
+  bool writes_meshes = false;                    // in a format that can be chosen
   std::function<void(double cartilage_mm)> use_cartilage{};
   std::function<ScanContactOptions()> scan_contact{};  // what of the pose of the scan is worth a warning
   std::function<void()> check{};    // std::invalid_argument where what is asked does not go together

@@ -38,6 +38,19 @@ std::string words_text(const char* between) {
   return text;
 }
 
+/// One of the words that name `value`, which holds the default.
+template <InWords Value>
+CLI::Option* add_word(CLI::App& command, const std::string& name, Value& value, const std::string& text) {
+  return command
+      .add_option_function<std::string>(
+          name,
+          [&value, name](const std::string& word) {
+            value = static_cast<Value>(place_among(word, words_of<Value>, name));
+          },
+          text + " [" + std::string(word_of(value)) + "]")
+      ->type_name(words_text<Value>("|"));
+}
+
 template <class Owner, class Value>
 void add_field(CLI::App& command, const Field<Owner, Value>& field, Owner& request) {
   const std::string name = option_name(field.name);
@@ -47,15 +60,7 @@ void add_field(CLI::App& command, const Field<Owner, Value>& field, Owner& reque
   if constexpr (std::same_as<Value, bool>) {
     option = command.add_flag(name, value, text);
   } else if constexpr (InWords<Value>) {
-    text += " [" + std::string(word_of(value)) + "]";
-    option = command
-                 .add_option_function<std::string>(
-                     name,
-                     [&value, name](const std::string& word) {
-                       value = static_cast<Value>(place_among(word, words_of<Value>, name));
-                     },
-                     text)
-                 ->type_name(words_text<Value>("|"));
+    option = add_word(command, name, value, text);
   } else if constexpr (std::same_as<Value, Motion> || std::same_as<Value, std::optional<Motion>>) {
     option = command.add_option_function<std::string>(
         name, [&value, name](const std::string& given) { value = motion_option(name, given); }, text);

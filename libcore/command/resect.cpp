@@ -6,12 +6,10 @@
 
 #include "command/question_command.hpp"
 #include "files/formatted.hpp"
-#include "mesh/ply_writer.hpp"
+#include "mesh/io.hpp"
 
 namespace impinge {
 namespace {
-
-std::string resected_file(Surface cut) { return "resected_" + std::string(name(cut)) + ".ply"; }
 
 // A row for each stretch of rays, so that a cell may have several.
 std::string swept_csv(const std::vector<LeastCut::Cell>& cells) {
@@ -44,14 +42,13 @@ std::string extent_text(const CutExtent& size, Surface cut) {
          ends_text(size.depth_mm, 2, "mm");
 }
 
-std::string cut_text(const ResectAnswer& found) {
+std::string cut_text(const ResectAnswer& found, const std::string& file) {
   if (!found.deepest) return "to remove           nothing: all of it is reached with that clearance\n";
   const Vec3& at = *found.deepest;
   std::string text = "least radial cut    " + extent_text(found, found.surface) + " deep at " +
                      formatted("(%.1f, %.1f, %.1f)\n", at.x(), at.y(), at.z());
   if (found.volume_why) return text + "volume              " + std::string(*found.volume_why) + "\n";
   if (std::isnan(found.mesh_volume_mm3)) return text;
-  const std::string file = resected_file(found.surface);
   return text + file + std::string(20 - std::min<std::size_t>(file.size(), 19), ' ') +
          formatted("takes %.1f mm^3\n", found.mesh_volume_mm3);
 }
@@ -64,8 +61,8 @@ std::string leg_text(const ResectLeg& leg) {
   return leg.words + ": " + was + ", " + now + rounded_down(leg.after.low_deg, 2) + " after it\n";
 }
 
-std::string screen_text(const ResectAnswer& found, double clearance_mm) {
-  std::string text = formatted("clearance           %g mm\n", clearance_mm) + cut_text(found);
+std::string screen_text(const ResectAnswer& found, double clearance_mm, const std::string& file) {
+  std::string text = formatted("clearance           %g mm\n", clearance_mm) + cut_text(found, file);
   if (found.least)
     text += "least cut of all    " + extent_text(*found.least, Surface::ball) + " along a ray (swept.csv)\n";
   for (const ResectLeg& leg : found.legs)
@@ -76,10 +73,12 @@ std::string screen_text(const ResectAnswer& found, double clearance_mm) {
   return text + std::string(kNoGuide) + "\n";
 }
 
-Told told(Session& session, const ResectRequest& request, const Work& /*work*/) {
+Told told(Session& session, const ResectRequest& request, const Work& work) {
   const ResectAnswer found = answer(session, request);
-  Told told{.words = screen_text(found, request.clearance_mm), .document = json_of(found)};
-  told.files.push_back({resected_file(found.surface), ply_bytes(found.mesh, "depth", found.depth)});
+  const std::string file = work.mesh_file("resected_" + std::string(name(found.surface)));
+  Told told{.words = screen_text(found, request.clearance_mm, file), .document = json_of(found)};
+  const MeshNotes notes{.axes = session.joint->joint.axes, .values = {{"depth", found.depth}}};
+  told.files.push_back({file, mesh_bytes(file, found.mesh, notes)});
   if (found.least) told.files.push_back({"swept.csv", swept_csv(found.swept)});
   told.files.push_back({"resection.json", text_of(told.document)});
   told.row_of_one = {{"volume_low_mm3", "/volume_mm3/0"}, {"volume_high_mm3", "/volume_mm3/1"},
@@ -95,10 +94,12 @@ Told told(Session& session, const ResectRequest& request, const Work& /*work*/) 
 }  // namespace
 
 QuestionCommand resect_question() {
-  return question_of<ResectRequest, ResectAnswer>(
+  QuestionCommand made = question_of<ResectRequest, ResectAnswer>(
       "resect",
       "The bone that would have to go so that motions are reached: of the ball, or of the socket's rim.",
       "femur.ply pelvis.ply --side right --require flexion=90,internal_rotation=30", &told);
+  made.writes_meshes = true;
+  return made;
 }
 
 }  // namespace impinge

@@ -5,7 +5,6 @@
 
 #include "files/csv.hpp"
 #include "hip/gap_files.hpp"
-#include "mesh/ply_writer.hpp"
 
 namespace impinge {
 namespace {
@@ -41,15 +40,18 @@ std::string distances_csv(const PoseAnswer& found) {
   return to_csv(table);
 }
 
-std::string surface_ply(const SessionJoint& joint, const PoseAnswer& found, Surface surface) {
+std::string surface_file(const SessionJoint& joint, const PoseAnswer& found, Surface surface,
+                         const std::function<std::string(const TriangleMesh&, const MeshNotes&)>& write) {
   const bool ball = surface == Surface::ball;
   const SurfaceAnswer& answer = found.of(surface);
   const TriangleMesh mesh{in_input_frame(joint, found, surface),
                           ball ? joint.joint.ball.mesh.faces : joint.joint.socket.mesh.faces};
   const std::vector<GapLevel> levels = gap_levels(surface, answer.touching);
-  std::vector<Rgb> colours;
-  for (const double gap : answer.against_cartilage) colours.push_back(gap_colour(gap, levels));
-  return ply_bytes(mesh, "gap", answer.gap, colours);
+  std::vector<double> overlap;
+  for (const double gap : answer.gap) overlap.push_back(gap >= 0.0 ? 0.0 : -gap);
+  MeshNotes notes{.axes = joint.joint.axes, .values = {{"gap", answer.gap}, {"radial_overlap", overlap}}};
+  for (const double gap : answer.against_cartilage) notes.colours.push_back(gap_colour(gap, levels));
+  return write(mesh, notes);
 }
 
 }  // namespace impinge

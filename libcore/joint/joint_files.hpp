@@ -2,9 +2,11 @@
 // The bytes of the files written for a pose. Positions are those of the pose, in the input frame, mm.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "joint/pose_answer.hpp"
+#include "mesh/ply_writer.hpp"
 
 namespace impinge {
 
@@ -13,7 +15,10 @@ std::string gaps_csv(const SessionJoint& joint, const PoseAnswer& found);  // as
 /// CSV surface,vertex,gap_mm,distance_lower_mm,distance_upper_mm; `found` must have distances.
 std::string distances_csv(const PoseAnswer& found);
 
-/// One surface with its gaps and their colours (mesh/ply_writer.hpp).
-std::string surface_ply(const SessionJoint& joint, const PoseAnswer& found, Surface surface);
+/// One surface as `write` makes a file of it, with the values of its vertices: `gap`, `radial_overlap` (how
+/// deep the other surface is passed along the ray, 0 where it is not; both NaN where it is not met), mm; and
+/// colours of the gaps.
+std::string surface_file(const SessionJoint& joint, const PoseAnswer& found, Surface surface,
+                         const std::function<std::string(const TriangleMesh&, const MeshNotes&)>& write);
 
 }  // namespace impinge

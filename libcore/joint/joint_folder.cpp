@@ -12,6 +12,7 @@
 #include "files/file_bytes.hpp"
 #include "files/file_error.hpp"
 #include "joint/document.hpp"
+#include "mesh/mesh_format.hpp"
 
 namespace impinge {
 namespace {
@@ -21,7 +22,6 @@ namespace fs = std::filesystem;
 constexpr std::initializer_list<const char*> kBalls{"ball", "femoral_head", "humeral_head"};
 constexpr std::initializer_list<const char*> kSockets{"socket", "acetabulum_facing", "glenoid_facing",
                                                       "acetabulum", "glenoid"};
-constexpr std::initializer_list<const char*> kFormats{".ply", ".stl", ".obj", ".off"};
 constexpr const char* kSubject = "subject.json";
 constexpr const char* kCentre = "center_of_rotation_mm";
 constexpr std::array<std::string_view, 9> kKeys{
@@ -30,8 +30,8 @@ constexpr std::array<std::string_view, 9> kKeys{
 // The first of these meshes that is there.
 std::optional<fs::path> find_mesh(const fs::path& folder, std::initializer_list<const char*> names) {
   for (const char* name : names) {
-    for (const char* format : kFormats) {
-      const fs::path file = folder / (std::string(name) + format);
+    for (const std::string_view format : words_of<MeshFormat>) {
+      const fs::path file = folder / (std::string(name) + '.' + std::string(format));
       if (fs::is_regular_file(file)) return file;
     }
   }

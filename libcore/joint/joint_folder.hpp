@@ -3,7 +3,7 @@
 // and in millimetres,
 //   ball, femoral_head or humeral_head                                      the ball
 //   socket, acetabulum_facing, glenoid_facing, acetabulum or glenoid        the socket
-// as .ply, .stl, .obj or .off, the first of these names that is there, and perhaps
+// as .ply, .stl, .obj, .off, .vtp or .vtk, the first of these names that is there, and perhaps
 //   subject.json      with the centre of rotation, "center_of_rotation_mm": [x, y, z], otherwise it is
 //                     fitted to the ball; perhaps with the head's radius, "radius_mm", and the "side" and
 //                     "axes" of results/README.md

@@ -2,7 +2,6 @@
 #include "mesh/declared_axes.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <string_view>
 
 #include "files/file_error.hpp"
@@ -13,14 +12,6 @@ namespace {
 
 constexpr std::size_t kStlHead = 80;  // of a binary STL
 constexpr std::string_view kTag = "SPACE=";
-
-std::string head_of(const std::filesystem::path& file) {
-  std::string head(kAxesHead, '\0');
-  std::ifstream in(file, std::ios::binary);
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(in.gcount()));
-  return head;
-}
 
 // The lines that a format's header has before its numbers begin.
 std::string_view header_of(MeshFormat format, std::string_view head) {
@@ -35,7 +26,10 @@ std::string_view header_of(MeshFormat format, std::string_view head) {
         end = std::min(head.find('\n', end), head.size() - 1) + 1;
       return head.substr(0, end);
     }
+    case MeshFormat::vtk:
+      return head.substr(0, head.find('\n', head.find('\n') + 1));
     case MeshFormat::off:
+    case MeshFormat::vtp:
       break;
   }
   return {};
@@ -54,10 +48,6 @@ bool says(std::string_view header, const std::string& code) {
 
 }  // namespace
 
-std::optional<std::string> declared_axes(const std::filesystem::path& file) {
-  return declared_axes(file, head_of(file));
-}
-
 std::optional<std::string> declared_axes(const std::filesystem::path& name, std::string_view head) {
   const std::string_view header = header_of(mesh_format(name), head);
   std::optional<std::string> found;
@@ -68,12 +58,6 @@ std::optional<std::string> declared_axes(const std::filesystem::path& name, std:
     found = code;
   }
   return found;
-}
-
-AxesChoice agreed_axes(const std::filesystem::path& ball, const std::filesystem::path& socket,
-                       const std::optional<std::string>& given, const std::string& option) {
-  const SaidAxes of_ball{ball, declared_axes(ball)};  // the first to be refused
-  return agreed_axes(of_ball, {socket, declared_axes(socket)}, given, option);
 }
 
 AxesChoice agreed_axes(const SaidAxes& ball, const SaidAxes& socket, const std::optional<std::string>& given,

@@ -10,12 +10,14 @@
 
 namespace impinge {
 
-/// "RAS" or "LPS" of a header that has SPACE=RAS or SPACE=LPS, which 3D Slicer writes
+/// "RAS" or "LPS" of a file that says SPACE=RAS or SPACE=LPS, as 3D Slicer writes it
 /// (vtkMRMLModelStorageNode): in a comment of PLY, in the 80 bytes or the first line of STL, in the comments
-/// that OBJ begins with. None if the header does not say, and for a file that cannot be opened. FileError if
-/// it says both, or the extension is that of no mesh format.
+/// that OBJ begins with, in the title of VTK, and as the value of a field SPACE in VTP. None if it does not
+/// say, and for a file that cannot be opened. FileError if it says both, or the extension is that of no mesh
+/// format, and for a VTP that cannot be read. Of impinge::mesh_io.
 std::optional<std::string> declared_axes(const std::filesystem::path& file);
 /// The same from the first kAxesHead bytes of a file, or all it has; the extension of `name` is the format.
+/// None of a VTP file, which may have them anywhere.
 std::optional<std::string> declared_axes(const std::filesystem::path& name, std::string_view head);
 inline constexpr std::size_t kAxesHead = 65536;
 

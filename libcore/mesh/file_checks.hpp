@@ -37,7 +37,8 @@ struct MeshFileContent {
 };
 
 // In text formats other than PLY, `bytes` is replaced by the same vertices and faces in their plainest form:
-// no comments, names, materials, colours, normals; several ascii STL solids become one.
+// no comments, names, materials, colours, normals; several ascii STL solids become one. Files of VTK become a
+// PLY file: their pieces side by side, strips as triangles, no points and lines.
 
 /// Binary (both byte orders) and ascii. A cut at any byte is found, except within the last number of an ascii
 /// file (a last line without line end is legal).
@@ -54,5 +55,12 @@ MeshFileContent check_off(const std::filesystem::path& file, std::string& bytes)
 /// boundary edges. A cut within a line is found when it leaves an incomplete line or vertices that no face
 /// uses.
 MeshFileContent check_obj(const std::filesystem::path& file, std::string& bytes);
+
+/// VTK's PolyData as XML: see vtp_arrays.hpp. A cut at any byte is found.
+MeshFileContent check_vtp(const std::filesystem::path& file, std::string& bytes);
+
+/// VTK's legacy PolyData, ascii or binary, of any version up to 5.1. Cuts are found as in PLY, up to the end
+/// of the faces: data of points and cells behind them are not looked at.
+MeshFileContent check_vtk(const std::filesystem::path& file, std::string& bytes);
 
 }  // namespace impinge

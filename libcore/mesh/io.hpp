@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Reading and writing triangle meshes: PLY, STL, OBJ and OFF. Needs assimp (target impinge::mesh_io).
+/// Reading and writing triangle meshes: PLY, STL, OBJ, OFF, and VTK's PolyData (VTP, legacy VTK). Needs
+/// assimp, pugixml and zlib (target impinge::mesh_io).
 #pragma once
 
 #include <cstdint>
@@ -8,11 +9,12 @@
 #include <string>
 
 #include "files/file_error.hpp"
+#include "mesh/ply_writer.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace impinge {
 
-/// Reads a mesh; the extension (.ply, .stl, .obj, .off, any case) names the format. Polygons are
+/// Reads a mesh; the extension (.ply, .stl, .obj, .off, .vtp, .vtk, any case) names the format. Polygons are
 /// triangulated, all parts of the file merged, vertices with equal coordinates welded (STL shares none),
 /// faces that collapse thereby dropped; nothing else is repaired, see validation.hpp. Vertices keep the order
 /// of the file, except those of STL and OBJ, which come in the order of their first use.
@@ -31,10 +33,15 @@ TriangleMesh parse_mesh(const std::filesystem::path& file, std::string bytes);
 /// Larger files, of some 80 million triangles, are refused before they are read.
 inline constexpr std::uintmax_t kMostMeshBytes = std::uintmax_t{4} << 30U;
 
-/// Writes a mesh in the format that the extension names, under a temporary name, then renamed. PLY (binary)
-/// and OFF keep doubles, STL (binary) and OBJ hold float32. OBJ comes without a material library beside it.
-/// Throws FileError for an unknown extension, a mesh without faces, with a face that names no vertex or
-/// with coordinates that are not finite, and when the file cannot be written.
-void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh);
+/// A mesh in the format that the extension names. STL (binary) holds float32, all others doubles. OBJ comes
+/// without a material library beside it. Values of the vertices are kept by VTP and VTK, and by PLY as
+/// ply_writer.hpp says, colours by PLY alone; all but OFF say RAS or LPS. Throws FileError for an unknown
+/// extension, a mesh without faces, with a face that names no vertex or with coordinates that are not finite,
+/// and as check_notes() does.
+std::string mesh_bytes(const std::filesystem::path& file, const TriangleMesh& mesh,
+                       const MeshNotes& notes = {});
+
+/// Writes it under a temporary name, then renamed. FileError also when the file cannot be written.
+void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, const MeshNotes& notes = {});
 
 }  // namespace impinge

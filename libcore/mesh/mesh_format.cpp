@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/mesh_format.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "files/file_error.hpp"
@@ -12,13 +13,12 @@ MeshFormat mesh_format(const std::filesystem::path& file) {
   for (char& c : extension) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
-  if (extension == ".ply") return MeshFormat::ply;
-  if (extension == ".stl") return MeshFormat::stl;
-  if (extension == ".obj") return MeshFormat::obj;
-  if (extension == ".off") return MeshFormat::off;
+  for (std::size_t k = 0; k < words_of<MeshFormat>.size(); ++k) {
+    if (extension == "." + std::string(words_of<MeshFormat>[k])) return static_cast<MeshFormat>(k);
+  }
   throw FileError(file,
                   extension.empty() ? "has no extension" : "has the unknown extension '" + extension + "'",
-                  "use .ply, .stl, .obj or .off");
+                  "use .ply, .stl, .obj, .off, .vtp or .vtk");
 }
 
 }  // namespace impinge

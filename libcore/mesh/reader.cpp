@@ -32,6 +32,10 @@ MeshFileContent check(const fs::path& file, MeshFormat format, std::string& byte
       return check_obj(file, bytes);
     case MeshFormat::off:
       return check_off(file, bytes);
+    case MeshFormat::vtp:
+      return check_vtp(file, bytes);
+    case MeshFormat::vtk:
+      return check_vtk(file, bytes);
   }
   return {};
 }
@@ -39,6 +43,8 @@ MeshFileContent check(const fs::path& file, MeshFormat format, std::string& byte
 const char* assimp_hint(MeshFormat format) {
   switch (format) {
     case MeshFormat::ply:
+    case MeshFormat::vtp:  // plain PLY by now
+    case MeshFormat::vtk:
       return "ply";
     case MeshFormat::stl:
       return "stl";
@@ -93,7 +99,7 @@ void check_scene(const fs::path& file, const aiScene& scene, const MeshFileConte
   }
 }
 
-// None of the four formats has node transforms: the parts stand side by side.
+// None of the formats has node transforms: the parts stand side by side.
 TriangleMesh gather(const aiScene& scene) {
   TriangleMesh mesh;
   for (const aiMesh* part : parts(scene)) {

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <memory>
+#include <cstdint>
 #include <string>
-
-#include <assimp/Exporter.hpp>
-#include <assimp/scene.h>
 
 #include "files/file_bytes.hpp"
 #include "mesh/io.hpp"
 #include "mesh/mesh_format.hpp"
-#include "mesh/ply_writer.hpp"
+#include "mesh/ply_bytes.hpp"
+#include "mesh/vtk_writer.hpp"
 
 namespace impinge {
 namespace {
@@ -31,75 +27,63 @@ void require_writable(const fs::path& file, const TriangleMesh& mesh) {
     throw FileError(file, std::string("is not written, ") + reason, "repair the mesh first");
 }
 
-// A scene of one mesh. assimp's destructors release what is allocated here.
-std::unique_ptr<aiScene> to_scene(const TriangleMesh& mesh) {
-  auto part = std::make_unique<aiMesh>();
-  part->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
-  part->mNumVertices = static_cast<unsigned>(mesh.vertices.size());
-  part->mVertices = new aiVector3D[mesh.vertices.size()];
-  std::ranges::transform(mesh.vertices, part->mVertices, [](const Vec3& v) {
-    return aiVector3D(static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()));
-  });
-  part->mNumFaces = static_cast<unsigned>(mesh.faces.size());
-  part->mFaces = new aiFace[mesh.faces.size()];
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    part->mFaces[f].mNumIndices = 3;
-    part->mFaces[f].mIndices = new unsigned[3]{mesh.faces[f][0], mesh.faces[f][1], mesh.faces[f][2]};
-  }
-  auto scene = std::make_unique<aiScene>();
-  scene->mNumMeshes = 1;
-  scene->mMeshes = new aiMesh* [1] { part.release() };
-  scene->mNumMaterials = 1;
-  scene->mMaterials = new aiMaterial* [1] { new aiMaterial };
-  scene->mRootNode = new aiNode;
-  scene->mRootNode->mNumMeshes = 1;
-  scene->mRootNode->mMeshes = new unsigned[1]{0};
-  return scene;
+std::string face_lines(const TriangleMesh& mesh, const std::string& start, VertexIndex first) {
+  std::string text;
+  for (const auto& [a, b, c] : mesh.faces)
+    text += start + std::to_string(a + first) + ' ' + std::to_string(b + first) + ' ' +
+            std::to_string(c + first) + '\n';
+  return text;
 }
 
-// objnomtl: plain "obj" comes with a material library.
-void write_with_assimp(const fs::path& file, const TriangleMesh& mesh, const char* assimp_format) {
-  const std::unique_ptr<aiScene> scene = to_scene(mesh);
-  Assimp::Exporter exporter;
-  const aiExportDataBlob* blob = exporter.ExportToBlob(scene.get(), assimp_format);
-  if (blob == nullptr) {
-    throw FileError(file, std::string("cannot be written, ") + exporter.GetErrorString(), "use .ply");
-  }
-  write_bytes(file, {static_cast<const char*>(blob->data), blob->size});
+std::string off_bytes(const TriangleMesh& mesh) {
+  return "OFF\n" + std::to_string(mesh.vertices.size()) + ' ' + std::to_string(mesh.faces.size()) + " 0\n" +
+         point_lines(mesh, "") + face_lines(mesh, "3 ", 0);
 }
 
-// assimp 5.2 reads OFF but does not write it. Shortest numbers that read back as the same doubles.
-void write_off(const fs::path& file, const TriangleMesh& mesh) {
-  std::string text =
-      "OFF\n" + std::to_string(mesh.vertices.size()) + ' ' + std::to_string(mesh.faces.size()) + " 0\n";
-  std::array<char, 32> digits{};
-  for (const Vec3& v : mesh.vertices) {
-    for (int k = 0; k < 3; ++k) {
-      text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), v[k]).ptr);
-      text += k < 2 ? ' ' : '\n';
+std::string obj_bytes(const TriangleMesh& mesh, const MeshNotes& notes) {
+  return "# lengths in millimetres " + space_of(notes) + '\n' + point_lines(mesh, "v ") +
+         face_lines(mesh, "f ", 1);
+}
+
+std::string stl_bytes(const TriangleMesh& mesh, const MeshNotes& notes) {
+  std::string bytes = "lengths in millimetres " + space_of(notes);
+  bytes.resize(80, ' ');
+  append_bits(bytes, static_cast<std::uint32_t>(mesh.faces.size()));
+  for (const Face& face : mesh.faces) {
+    const auto [a, b, c] = corners_of(mesh, face);
+    for (const Vec3& v : {area_vector(mesh, face).stableNormalized(), a, b, c}) {
+      for (int k = 0; k < 3; ++k) append_value(bytes, static_cast<float>(v[k]));
     }
+    bytes.append(2, '\0');
   }
-  for (const auto& [a, b, c] : mesh.faces) {
-    text += "3 " + std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(c) + '\n';
-  }
-  write_bytes(file, text);
+  return bytes;
 }
 
 }  // namespace
 
-void write_mesh(const fs::path& file, const TriangleMesh& mesh) {
+std::string mesh_bytes(const fs::path& file, const TriangleMesh& mesh, const MeshNotes& notes) {
   const MeshFormat format = mesh_format(file);
   require_writable(file, mesh);
+  check_notes(mesh, notes);
   switch (format) {
     case MeshFormat::ply:
-      return write_ply(file, mesh);
-    case MeshFormat::off:
-      return write_off(file, mesh);
+      return ply_bytes(mesh, notes);
     case MeshFormat::stl:
-      return write_with_assimp(file, mesh, "stlb");
+      return stl_bytes(mesh, notes);
     case MeshFormat::obj:
-      return write_with_assimp(file, mesh, "objnomtl");
+      return obj_bytes(mesh, notes);
+    case MeshFormat::off:
+      return off_bytes(mesh);
+    case MeshFormat::vtp:
+      return vtp_bytes(mesh, notes);
+    case MeshFormat::vtk:
+      return vtk_bytes(mesh, notes);
   }
+  return {};
+}
+
+void write_mesh(const fs::path& file, const TriangleMesh& mesh, const MeshNotes& notes) {
+  write_bytes(file, mesh_bytes(file, mesh, notes));
 }
 
 }  // namespace impinge

@@ -16,7 +16,7 @@
 #include "files/file_bytes.hpp"
 #include "hip/named_motion.hpp"
 #include "mesh/generated_pair.hpp"
-#include "mesh/ply_writer.hpp"
+#include "mesh/io.hpp"
 #include "rotations/rotation_cells.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -28,8 +28,8 @@ class VolumeCommand : public testing::Test {
  protected:
   VolumeCommand() {
     const BallSocketPair pair = make_ball_socket_pair(400, impinging_cam());
-    write_ply(folder_.path() / "ball.ply", pair.ball);
-    write_ply(folder_.path() / "socket.ply", pair.socket);
+    write_mesh(folder_.path() / "ball.ply", pair.ball);
+    write_mesh(folder_.path() / "socket.ply", pair.socket);
   }
   // Its exit code; what it says beside the answer goes to `log_`.
   int run(const std::filesystem::path& out) {

@@ -49,12 +49,30 @@ def obj(face: str, points=("0 0 0", "1 0 0", "0 1 0")) -> bytes:
     return ("".join(f"v {point}\n" for point in points) + face).encode()
 
 
+def vtk(body: str, head="3.0", kind="ASCII", data="POLYDATA") -> bytes:
+    """A legacy file of VTK."""
+    return f"# vtk DataFile Version {head}\na title\n{kind}\nDATASET {data}\n{body}".encode()
+
+
+def vtp(points=POINTS, corners="0 1 2", ends="3", attributes="", kind="PolyData", form="ascii") -> bytes:
+    """One triangle in XML."""
+    arrays = {"Points": [("Points", points)], "Polys": [("connectivity", corners), ("offsets", ends)]}
+    inside = "".join(
+        f"<{of}>" + "".join(f"<DataArray type='Float64' Name='{name}' format='{form}'>{text}</DataArray>" for name, text in named) + f"</{of}>"
+        for of, named in arrays.items()
+    )
+    piece = f"<Piece NumberOfPoints='3' NumberOfPolys='1'>{inside}</Piece>"
+    return f"<VTKFile type='{kind}'{attributes}><{kind}>{piece}</{kind}></VTKFile>".encode()
+
+
 CORNERS = [0.0, 0, 0, 1, 0, 0, 0, 1, 0]
 NAN = float("nan")
 FACET = (0.0, 0, 1, *CORNERS)
 DECAGON = "".join(f"{x} {x * x} 0\n" for x in range(10)) + "10 0 1 2 3 4 5 6 7 8 9\n"
 CAMERA = "element camera 1\nproperty float angle\n"
 
+VTK_POINTS = f"POINTS 3 float\n{POINTS}"
+EXTRACT = "extract the surface, in ParaView with Extract Surface, and save it as"
 DAMAGED = "it is cut short or damaged; export or copy it again"
 NOTHING = b"Dear reader,\nthis is no mesh.\n"
 
@@ -94,8 +112,8 @@ REFUSED = {
         "four.off": off("3 1 0", POINTS + FACE, "4OFF"),
     },
     "is no text, so no OBJ file; export it again": {"picture.obj": PICTURE},
-    "has the unknown extension '.xyz'; use .ply, .stl, .obj or .off": {"mesh.xyz": POINTS.encode()},
-    "has no extension; use .ply, .stl, .obj or .off": {"mesh": POINTS.encode()},
+    "has the unknown extension '.xyz'; use .ply, .stl, .obj, .off, .vtp or .vtk": {"mesh.xyz": POINTS.encode()},
+    "has no extension; use .ply, .stl, .obj, .off, .vtp or .vtk": {"mesh": POINTS.encode()},
     # Headers.
     "its PLY header has no end, the file is cut short; export or copy it again": {"no_end.ply": ply("").replace(b"end_header\n", b"")},
     "its PLY header has no format line; export it again": {"no_format.ply": ply(POINTS + FACE).replace(b"format ascii 1.0\n", b"")},
@@ -121,6 +139,44 @@ REFUSED = {
         "binary.off": off("3 1 0", POINTS + FACE, "OFF BINARY"),
         "no_counts.off": b"OFF\n",
         "negative.off": off("-3 1 0", POINTS + FACE),
+    },
+    # Files of VTK.
+    "is no VTP file, or cut short: its end is not </VTKFile>; export or copy it again": {
+        "letter.vtp": NOTHING,
+        "picture.vtp": PICTURE,
+        "cut.vtp": vtp()[:-1],
+    },
+    f"is no XML, Start-end tags mismatch, {DAMAGED}": {"tags.vtp": b"<VTKFile><PolyData></VTKFile>"},
+    f"holds no PolyData of VTK; {EXTRACT} .vtp": {"grid.vtp": vtp(kind="UnstructuredGrid")},
+    "is compressed by vtkLZ4DataCompressor; save it with ZLib, or uncompressed": {"lz4.vtp": vtp(attributes=" compressor='vtkLZ4DataCompressor'")},
+    f"not all of its 3 points are there, {DAMAGED}": {"points.vtp": vtp(points="0 0 0 1 0 0")},
+    f"not all of its 1 Polys are there, {DAMAGED}": {"ends.vtp": vtp(ends="2"), "corners.vtp": vtp(corners="0 1"), "ends_2.vtp": vtp(ends="1 3")},
+    f"its array Points has a word that is no number, {DAMAGED}": {"word.vtp": vtp(points="0 0 zero")},
+    f"its array Points is not whole, {DAMAGED}": {
+        "base64.vtp": vtp(form="binary"),
+        "huge.vtp": vtp(points="////fwAAAAA=", form="binary"),
+        "packed.vtp": vtp(points="AQAAACQAAAAAAAAABAAAAA==AAAAAA==", form="binary", attributes=" compressor='vtkZLibDataCompressor'"),
+        "no_data.vtp": vtp(form="appended"),
+    },
+    "is no legacy VTK file, its first line is not '# vtk DataFile Version'; export it again, or name it .vtp if it is XML": {
+        "letter.vtk": NOTHING,
+        "xml.vtk": vtp(),
+    },
+    f"holds structured_points, not POLYDATA; {EXTRACT} .vtp or .vtk": {"image.vtk": vtk("DIMENSIONS 1 1 1\n", data="STRUCTURED_POINTS")},
+    ends("the word ASCII or BINARY"): {"morse.vtk": vtk(VTK_POINTS, kind="MORSE")},
+    ends("points"): {
+        "word.vtk": vtk("POINTS 3 float\n0 0 zero 1 0 0 0 1 0\n"),
+        "point_less.vtk": vtk("POINTS 3 float\n0 0 0 1 0 0\n"),
+        "huge.vtk": vtk("POINTS 9000000000000000000 double\n0 0 0\n"),
+        "binary.vtk": vtk("POINTS 3 float\n0 0 0 1 0 0", kind="BINARY"),
+    },
+    ends("polygons"): {
+        "face_less.vtk": vtk(VTK_POINTS + "POLYGONS 2 8\n3 0 1 2\n"),
+        "corner_less.vtk": vtk(VTK_POINTS + "POLYGONS 1 3\n3 0 1\n"),
+        "more.vtk": vtk(VTK_POINTS + "POLYGONS 1 5\n3 0 1 2 2\n"),
+    },
+    ends("a list of faces"): {
+        "ends.vtk": vtk(VTK_POINTS + "POLYGONS 2 3\nOFFSETS vtktypeint64\n0 2\nCONNECTIVITY vtktypeint64\n0 1 2\n", head="5.1"),
     },
     # Counts, and files that are cut short.
     ends("face 0 of the 1 declared"): {
@@ -156,6 +212,8 @@ REFUSED = {
         "only_lines.ply": ply(POINTS + "2 0 1\n"),
         "only_lines.off": off("3 1 0", POINTS + "2 0 1\n"),
         "no_faces.off": off("3 0 0", POINTS),
+        "no_faces.vtk": vtk(VTK_POINTS),
+        "only_lines.vtk": vtk(VTK_POINTS + "LINES 1 3\n2 0 1\n"),
     },
     "has no faces; export the surface again": {
         "no_faces.stl": binary_stl(0),
@@ -187,6 +245,10 @@ REFUSED = {
         "index.off": off("3 1 0", POINTS + "3 0 1 3\n"),
         "index_negative.off": off("3 1 0", POINTS + "3 0 1 -1\n"),
         "four_corners.off": off("3 1 0", POINTS + "4 0 1 2 3\n"),
+        "index.vtp": vtp(corners="0 1 3"),
+        "index_negative.vtp": vtp(corners="0 1 -1"),
+        "index_half.vtp": vtp(corners="0 1 1.5"),
+        "index.vtk": vtk(VTK_POINTS + "POLYGONS 1 4\n3 0 1 4294967298\n"),
     },
     "a face names a vertex that is not there, it is damaged; export it again": {
         "index_0.obj": obj("f 1 2 0\n"),
@@ -203,6 +265,8 @@ REFUSED = {
         "nan.off": off("3 1 0", "0 0 nan\n1 0 0\n0 1 0\n" + FACE),
         "infinite.off": off("3 1 0", "0 0 inf\n1 0 0\n0 1 0\n" + FACE),
         "beyond_double.off": off("3 1 0", "0 0 1e999\n1 0 0\n0 1 0\n" + FACE),
+        "nan.vtp": vtp(points="0 0 nan 1 0 0 0 1 0"),
+        "beyond_float.vtk": vtk("POINTS 3 double\n0 0 1e39 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n"),
         "nan.obj": obj("f 1 2 3\n", points=("0 0 NaN", "1 0 0", "0 1 0")),
         "beyond_float.obj": obj("f 1 2 3\n", points=("0 0 1e39", "1 0 0", "0 1 0")),
     },

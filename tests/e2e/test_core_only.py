@@ -23,9 +23,10 @@ HIDDEN = [
     "GTest",
     "nlohmann_json",
     "OpenSSL",
+    "pugixml",
     "Python3",
 ]
-OTHERS = ["assimp", "CGAL", "gmp", "mpfr", "gsl", "fcl", "embree", "benchmark", "crypto"]  # libraries
+OTHERS = ["assimp", "CGAL", "gmp", "mpfr", "gsl", "fcl", "embree", "benchmark", "crypto", "pugixml"]  # libraries
 
 
 def run(*command: str | Path) -> str:

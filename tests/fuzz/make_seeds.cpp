@@ -52,6 +52,38 @@ void add_mesh(Seeds& seeds, const TriangleMesh& mesh) {
   seeds.add('1' + test::ascii_stl(mesh));
   seeds.add('2' + test::obj(mesh));
   seeds.add('3' + test::off(mesh));
+  seeds.add('4' + test::vtp(mesh));
+  seeds.add('5' + test::vtk(mesh));
+}
+
+// A triangle: compressed in base64, and raw behind a strip.
+void add_vtk_meshes(Seeds& seeds) {
+  const auto array = [](const std::string& name, const std::string& type, const std::string& offset) {
+    return "<DataArray type='" + type + "' Name='" + name +
+           "' NumberOfComponents='3' format='appended' offset='" + offset + "'/>";
+  };
+  const std::string piece = "<PolyData><Piece NumberOfPoints='3' NumberOfPolys='1'><Points>";
+  const std::string end = "</Polys></Piece></PolyData><AppendedData encoding='";
+  seeds.add("4<VTKFile type='PolyData' compressor='vtkZLibDataCompressor'>" + piece +
+            array("Points", "Float32", "0") + "</Points><Polys>" + array("connectivity", "Int32", "48") +
+            array("offsets", "Int32", "96") + end +
+            "base64'>_AQAAACQAAAAAAAAAEAAAAA==eNpjYEAGDfYMWPgAFIoBfw==AQAAAAwAAAAAAAAAEQAAAA=="
+            "eNpjYGBgYARiJiAGAAAcAAQ="
+            "AQAAAAQAAAAAAAAADAAAAA==eNpjZmBgAAAAEAAE</AppendedData></VTKFile>");
+  std::string raw("\x09\0\0\0\0\0\0\1\0\0\0\1\0\3\0\0\0\0\1\2\1\0\0\0\3", 25);
+  seeds.add("4<VTKFile type='PolyData' byte_order='LittleEndian' header_type='UInt32'>" + piece +
+            array("Points", "UInt8", "0") + "</Points><Polys>" + array("connectivity", "Int8", "13") +
+            array("offsets", "UInt8", "20") + end + "raw'>_" + raw + "</AppendedData></VTKFile>");
+  seeds.add(
+      "5# vtk DataFile Version 5.1\na\nASCII\nDATASET POLYDATA\nFIELD FieldData 1\nTimeValue 1 1 "
+      "double\n0.5\n"
+      "METADATA\nINFORMATION 0\n\nPOINTS 4 double\n0 0 0 1 0 0 0 1 0\n1 1 0\nVERTICES 2 1\nOFFSETS "
+      "vtktypeint64\n0 "
+      "1\nCONNECTIVITY vtktypeint64\n3\nPOLYGONS 2 4\nOFFSETS vtktypeint64\n0 4\nCONNECTIVITY vtktypeint64\n"
+      "0 1 3 2\nPOINT_DATA 4\n");
+  seeds.add(
+      "5# vtk DataFile Version 2.0\na\nASCII\nDATASET POLYDATA\nPOINTS 4 int\n0 0 0 1 0 0 0 1 0\n1 1 0\n"
+      "TRIANGLE_STRIPS 1 5\n4 0 1 2 3\n");
 }
 
 void add_unusual_meshes(Seeds& seeds) {
@@ -129,6 +161,7 @@ int main(int argc, char** argv) {
   add_mesh(meshes, octahedron(2.5));
   add_mesh(meshes, sphere(10.0, 20));
   add_unusual_meshes(meshes);
+  add_vtk_meshes(meshes);
   meshes.write_list();
   Seeds options(folder / "options");
   add_options(options);

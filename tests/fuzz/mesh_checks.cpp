@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contract: for any bytes, a check finds at least one face or throws FileError with one line
 // "FILE: reason; advice". The plain text that it makes of a text file passes the same check with the same
-// counts, and is then no longer changed.
+// counts, and is then no longer changed; of a file of VTK it makes a PLY file.
 #include "files/file_error.hpp"
 #include "fuzz/mesh_input.hpp"
 #include "fuzz/require.hpp"
@@ -21,6 +21,10 @@ MeshFileContent check(const std::filesystem::path& file, std::string& bytes) {
       return check_stl(file, bytes);
     case MeshFormat::obj:
       return check_obj(file, bytes);
+    case MeshFormat::vtp:
+      return check_vtp(file, bytes);
+    case MeshFormat::vtk:
+      return check_vtk(file, bytes);
     case MeshFormat::off:
       break;
   }
@@ -39,7 +43,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 content.sums->coordinates != content.sums->coordinates,
             "sums are of magnitudes");
     std::string plain = bytes;
-    const MeshFileContent again = check(file, plain);
+    const bool ply = file.extension() == ".vtp" || file.extension() == ".vtk";
+    const MeshFileContent again = check(ply ? "mesh.ply" : file, plain);
     require(plain == bytes, "plain text stays as it is", plain);
     require(again.polygons == content.polygons && again.vertices == content.vertices, "counts stay");
   } catch (const FileError& error) {

@@ -22,7 +22,7 @@ void require_mesh(const TriangleMesh& mesh) {
 
 void require_kept(const TriangleMesh& mesh) {
   const std::vector<double> values(mesh.vertices.size(), 0.0);
-  const TriangleMesh again = parse_mesh("again.ply", ply_bytes(mesh, "value", values));
+  const TriangleMesh again = parse_mesh("again.ply", ply_bytes(mesh, {"", {{"value", values}}, {}}));
   require(again.vertices == mesh.vertices && again.faces == mesh.faces, "a mesh is the same when read again");
 }
 

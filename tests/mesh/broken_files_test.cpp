@@ -35,9 +35,11 @@ struct Sample {
 };
 
 std::vector<Sample> samples(const TriangleMesh& mesh) {
-  return {{"binary.ply", test::binary_ply(mesh)}, {"ascii.ply", test::ascii_ply(mesh)},
-          {"binary.stl", test::binary_stl(mesh)}, {"ascii.stl", test::ascii_stl(mesh)},
-          {"mesh.off", test::off(mesh)},          {"mesh.obj", test::obj(mesh)}};
+  return {{"binary.ply", test::binary_ply(mesh)},  {"ascii.ply", test::ascii_ply(mesh)},
+          {"binary.stl", test::binary_stl(mesh)},  {"ascii.stl", test::ascii_stl(mesh)},
+          {"mesh.off", test::off(mesh)},           {"mesh.obj", test::obj(mesh)},
+          {"ascii.vtp", test::vtp(mesh)},          {"ascii.vtk", test::vtk(mesh)},
+          {"mesh.vtp", mesh_bytes("a.vtp", mesh)}, {"mesh.vtk", mesh_bytes("a.vtk", mesh)}};
 }
 
 const TriangleMesh kTetrahedron{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
@@ -52,7 +54,8 @@ TEST(BrokenFile, EveryPrefixOfASmallFileIsRefused) {
     if (name == std::string("mesh.obj")) continue;  // see the next test
     std::size_t whole = all.size();
     if (name == std::string("ascii.stl")) whole = all.rfind("endsolid") + 8;
-    if (name == std::string("ascii.ply") || name == std::string("mesh.off")) whole = all.size() - 1;
+    for (const char* kind : {"ascii.ply", "mesh.off", "ascii.vtk", "mesh.vtk", "ascii.vtp", "mesh.vtp"})
+      if (name == std::string(kind)) whole = all.size() - 1;
     for (std::size_t size = 0; size < whole; ++size) {
       EXPECT_TRUE(is_refused(folder.write(name, all.substr(0, size)))) << name << " cut at " << size;
     }

@@ -13,10 +13,13 @@
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
+#include "mesh/declared_axes.hpp"
+#include "mesh/mesh_format.hpp"
 #include "mesh/validation.hpp"
 #include "sphere/as_floats.hpp"
 #include "support/mesh_files.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/thrown.hpp"
 
 namespace impinge {
 namespace {
@@ -100,11 +103,12 @@ TEST_P(Format, RefusesWhatItCannotWrite) {
   EXPECT_EQ(files_in(folder.path()), 1U);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Format, testing::Values("ply", "stl", "obj", "off", "PLY", "Stl"));
+INSTANTIATE_TEST_SUITE_P(All, Format,
+                         testing::Values("ply", "stl", "obj", "off", "vtp", "vtk", "PLY", "Stl", "Vtp"));
 
 TEST(WriteMesh, UnknownExtension) {
   const TemporaryFolder folder;
-  EXPECT_THROW(write_mesh(folder.path() / "mesh.vtk", octahedron(1.0)), FileError);
+  EXPECT_THROW(write_mesh(folder.path() / "mesh.xyz", octahedron(1.0)), FileError);
   EXPECT_EQ(files_in(folder.path()), 0U);
 }
 
@@ -121,6 +125,8 @@ TEST(ReadMesh, IndependentlyWrittenFiles) {
   expect_same(read_mesh(folder.write("a.obj", test::obj(single))), single);
   expect_same(read_mesh(folder.write("a.stl", test::ascii_stl(single))), single);
   expect_same(read_mesh(folder.write("b.stl", test::binary_stl(single))), single);
+  expect_same(read_mesh(folder.write("a.vtp", test::vtp(single))), single);
+  expect_same(read_mesh(folder.write("a.vtk", test::vtk(single))), single);
 }
 
 TEST(ReadMesh, StlDialects) {
@@ -189,6 +195,72 @@ TEST(ReadMesh, ObjDialects) {
             (std::vector<Vec3>{{0.5, -0.5, 0.25}, {1, 0, 0}, {0, 1, 0}}));
   const TriangleMesh two = read(points + "g a\nf 1 2 3\nusemtl b\ng b\nv 0 0 9\nf 1 2 4\n");
   EXPECT_EQ(two.faces, (std::vector<Face>{{0, 1, 2}, {0, 1, 3}}));
+}
+
+// A square as a strip, as a quad and as two pieces, with lines and points beside it.
+TEST(ReadMesh, VtkDialects) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& head, const std::string& rest) {
+    return read_mesh(folder.write(
+        "a.vtk", "# vtk DataFile Version " + head + "\na title\nASCII\nDATASET POLYDATA\n" + rest));
+  };
+  const std::string points = "POINTS 4 double\n0 0 0 1 0 0 0 1 0\n1 1 0\n";
+  const std::vector<Face> halves{{0, 1, 2}, {2, 1, 3}};
+  EXPECT_EQ(read("3.0", points + "TRIANGLE_STRIPS 1 5\n4 0 1 2 3\n").faces, halves);
+  EXPECT_EQ(read("2.0", "FIELD FieldData 2\nnames 1 2 string\na%20b\nc\ntime 1 1 double\n0.5\n" + points +
+                            "METADATA\nINFORMATION 0\n\nVERTICES 1 2\n1 0\nLINES 1 3\n2 0 1\n"
+                            "polygons 2 8 3 0 1 2\n3 2 1 3\nPOINT_DATA 4\nSCALARS a float\n")
+                .faces,
+            halves);
+  EXPECT_EQ(read("5.1", points + "LINES 2 2\nOFFSETS vtktypeint64\n0 2\nCONNECTIVITY vtktypeint64\n0 1\n"
+                                 "POLYGONS 3 6\nOFFSETS vtktypeint64\n0 3 6\nCONNECTIVITY vtktypeint64\n"
+                                 "0 1 2 2 1 3\n")
+                .faces,
+            halves);
+  EXPECT_EQ(read("4.2", points + "POLYGONS 1 5\n4 0 1 3 2\n").faces.size(), 2U);
+}
+
+TEST(ReadMesh, VtpDialects) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& attributes, const std::string& pieces) {
+    return read_mesh(folder.write("a.vtp", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\"" +
+                                               attributes + "><PolyData>" + pieces +
+                                               "</PolyData></VTKFile>\n\n"));
+  };
+  const auto array = [](const std::string& name, const std::string& numbers) {
+    return "<DataArray type='Int32' Name='" + name + "' format='ascii'> " + numbers +
+           "<InformationKey name='L2_NORM_RANGE'>7</InformationKey></DataArray>";
+  };
+  const auto piece = [&](const std::string& points, const std::string& cells) {
+    return "<Piece NumberOfPoints='3' NumberOfStrips='1' NumberOfPolys='0'><Points>" +
+           array("Points", points) + "</Points><Polys/><Strips>" + array("offsets", cells) +
+           array("connectivity", "0 1 2") + "</Strips></Piece>";
+  };
+  const std::string first = piece("0 0 0 1 0 0 0 1 0", "3");
+  EXPECT_EQ(read("", first + "<Piece NumberOfPoints='0'/>" + piece("0 1 0 1 0 0 1 1 0", "3")).faces,
+            (std::vector<Face>{{0, 1, 2}, {2, 1, 3}}));
+  const auto refused = [&](const std::string& attributes, const std::string& pieces) {
+    return test::thrown<FileError>([&] { read(attributes, pieces); });
+  };
+  EXPECT_NE(
+      refused(" compressor='vtkLZ4DataCompressor'", first).find("vtkLZ4DataCompressor; save it with ZLib"),
+      std::string::npos);
+  EXPECT_NE(refused("", piece("0 0 0 1 0 0 0 1", "3")).find("not all of its 3 points are there"),
+            std::string::npos);
+  EXPECT_NE(refused("", piece("0 0 0 1 0 0 0 1 0", "2")).find("not all of its 1 Strips are there"),
+            std::string::npos);
+}
+
+TEST(DeclaredAxes, EveryFormatThatSaysThemIsReadSo) {
+  const TemporaryFolder folder;
+  for (const std::string_view format : words_of<MeshFormat>) {
+    const fs::path file = folder.path() / ("a." + std::string(format));
+    for (const char* code : {"RAS", "LPS", "LAI"}) {
+      write_mesh(file, octahedron(1.0), {.axes = code});
+      const bool said = format != "off" && code != std::string("LAI");
+      EXPECT_EQ(declared_axes(file), said ? std::optional<std::string>(code) : std::nullopt) << file;
+    }
+  }
 }
 
 // A square and an L of six corners: areas 4 and 3.

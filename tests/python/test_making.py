@@ -41,7 +41,7 @@ def test_headers_of_slicer_say_the_axes(files, tmp_path):
     heads = []
     for file in files:
         said = tmp_path / file.name
-        said.write_bytes(file.read_bytes().replace(b"\nelement vertex", b"\ncomment SPACE=LPS\nelement vertex", 1))
+        said.write_bytes(file.read_bytes().replace(b"\ncomment SPACE=RAS", b"\ncomment SPACE=LPS"))
         heads.append(said)
     with pytest.warns(UserWarning, match="check axes= first"):  # the files of a right hip, turned by half a turn
         joint = impinge.Joint.read(*heads, side="right")

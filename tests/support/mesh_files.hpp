@@ -104,4 +104,26 @@ inline std::string ascii_stl(const TriangleMesh& mesh, const std::string& name =
   return text.str();
 }
 
+// VTK's PolyData as text: XML, and the legacy format of versions before 5.
+inline std::string vtp(const TriangleMesh& mesh) {
+  std::string ends;
+  for (std::size_t k = 1; k <= mesh.faces.size(); ++k) ends += std::to_string(3 * k) + '\n';
+  const auto array = [](const std::string& name, const std::string& numbers) {
+    return "<DataArray type=\"Float32\" Name=\"" + name + "\" format=\"ascii\">\n" + numbers +
+           "</DataArray>\n";
+  };
+  return "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"" +
+         std::to_string(mesh.vertices.size()) + "\" NumberOfPolys=\"" + std::to_string(mesh.faces.size()) +
+         "\">\n<Points>" + array("Points", vertex_lines(mesh, "")) + "</Points>\n<Polys>" +
+         array("connectivity", face_lines(mesh, "", 0)) + array("offsets", ends) +
+         "</Polys></Piece></PolyData></VTKFile>\n";
+}
+
+inline std::string vtk(const TriangleMesh& mesh) {
+  const std::size_t faces = mesh.faces.size();
+  return "# vtk DataFile Version 3.0\nmade by a test\nASCII\nDATASET POLYDATA\nPOINTS " +
+         std::to_string(mesh.vertices.size()) + " float\n" + vertex_lines(mesh, "") + "POLYGONS " +
+         std::to_string(faces) + ' ' + std::to_string(4 * faces) + '\n' + face_lines(mesh, "3 ", 0);
+}
+
 }  // namespace impinge::test

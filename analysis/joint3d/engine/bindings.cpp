@@ -122,7 +122,8 @@ val ask_export(const val& request) {
   const bool csv = request["format"].as<std::string>() == "csv";
   const bool ball = csv || request["surface"].as<std::string>() == "ball";
   const std::string bytes =
-      csv ? gaps_csv(joint, found) : surface_ply(joint, found, ball ? Surface::ball : Surface::socket);
+      csv ? gaps_csv(joint, found)
+          : surface_file(joint, found, ball ? Surface::ball : Surface::socket, ply_bytes);
   const char* name = csv ? "gaps.csv" : ball ? "ball.ply" : "socket.ply";
   return object(std::pair("name", name),
                 std::pair("bytes", typed_array(std::vector<std::uint8_t>(bytes.begin(), bytes.end()))));
