@@ -114,9 +114,10 @@ std::string parameter_of(const CLI::Option& option, std::size_t& index) {
   return xml + "    </" + kind.tag + ">\n";
 }
 
-// Not for a window: what prints and ends, many joints at a time.
+// Not for a window: what prints and ends, many joints at a time, what the script chooses.
 bool is_for_windows(const CLI::Option& option) {
-  constexpr std::array<const char*, 6> kNot{"help", "json", "schema", "xml", "quiet", "joints"};
+  constexpr std::array<const char*, 7> kNot{"help",  "json",   "schema",     "xml",
+                                            "quiet", "joints", "mesh-format"};
   return std::none_of(kNot.begin(), kNot.end(), [&](const char* name) { return option.check_lname(name); });
 }
 
