@@ -5,6 +5,7 @@
 
 #include "files/file_bytes.hpp"
 #include "mesh/declared_axes.hpp"
+#include "mesh/io.hpp"
 #include "mesh/mesh_format.hpp"
 #include "mesh/vtp_arrays.hpp"
 
@@ -24,7 +25,8 @@ std::string head_of(const fs::path& file) {
 // The field SPACE.
 std::optional<std::string> axes_of_vtp(const fs::path& file) {
   std::error_code unreadable;
-  if (!fs::is_regular_file(file, unreadable)) return std::nullopt;
+  if (!fs::is_regular_file(file, unreadable) || fs::file_size(file, unreadable) > kMostMeshBytes)
+    return std::nullopt;
   const std::string bytes = read_bytes(file);
   const VtpFile vtp(file, bytes);
   const pugi::xml_node said = vtp.poly_data().child("FieldData").find_child_by_attribute("Name", "SPACE");
