@@ -32,7 +32,7 @@ struct HipOptions {
 
 // Writes a mesh in a file of that name, which it returns.
 fs::path write(const HipOptions& options, const std::string& name, const TriangleMesh& mesh) {
-  const fs::path file = options.out / (name + '.' + std::string(word_of(options.format)));
+  fs::path file = options.out / (name + '.' + std::string(word_of(options.format)));
   write_mesh(file, mesh, {.axes = "RAS"});
   return file;
 }

@@ -120,8 +120,9 @@ std::string vtk_bytes(const TriangleMesh& mesh, const MeshNotes& notes) {
   for (std::size_t k = 0; k < notes.values.size(); ++k) {
     const std::string name(notes.values[k].name);
     if (k == 1) bytes += "\nFIELD FieldData " + std::to_string(notes.values.size() - 1);
-    bytes += k == 0 ? "\nSCALARS " + name + " double 1\nLOOKUP_TABLE default\n"
-                    : '\n' + name + " 1 " + points + " double\n";
+    bytes += k == 0 ? "\nSCALARS " : "\n";
+    bytes += name;
+    bytes += k == 0 ? " double 1\nLOOKUP_TABLE default\n" : " 1 " + points + " double\n";
     for (const double x : notes.values[k].values) append_high_first(bytes, x);
   }
   return bytes + '\n';
