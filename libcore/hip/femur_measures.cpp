@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
@@ -23,7 +24,11 @@ constexpr int kSectors = 24;          // about the neck, all of which its sectio
 constexpr double kEndFace = 0.5;      // cosine between normal and axis; above, a face belongs to the cut
 constexpr double kRound = 0.05;       // least over middle eigenvalue of normals round a shaft
 constexpr int kShaftSteps = 20;
-constexpr int kBeside = 8;  // crossings to either side of a clock position
+constexpr int kCircleSteps = 20;
+constexpr double kScales = 2.5;
+constexpr double kFlat = 0.002;       // of the radius, by which a coarse contour is off its circle
+constexpr double kCircleRank = 1e-6;  // least reciprocal condition: an arc too short has no circle
+constexpr int kBeside = 8;            // crossings to either side of a clock position
 
 Vec3 mirrored(const Vec3& x, Side side) { return side == Side::left ? Vec3(-x.x(), x.y(), x.z()) : x; }
 
@@ -66,9 +71,17 @@ bool goes_round(const std::vector<Segment>& curve, const Vec3& axis) {
   return std::ranges::all_of(met, [](bool m) { return m; });
 }
 
-// Angle from the axis, degrees, at which a surface that is off the head at the axis last comes back to it, at
-// these hours: `curve` is where it crosses. What stands off farther than kBridge from there is no part of the
-// neck or its cam.
+// Of the angles from the axis, degrees, at which a surface that is off the head at the axis crosses it, the
+// last one. What stands off farther than kBridge from there is no part of the neck or its cam.
+double last_of(std::vector<double> crossings) {
+  std::ranges::sort(crossings);
+  if (crossings.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::size_t last = 0;
+  while (last + 2 < crossings.size() && crossings[last + 1] - crossings[last] < kBridge) last += 2;
+  return crossings[last];
+}
+
+// That of the surface at these hours: `curve` is where it crosses the head.
 double last_crossing(const std::vector<Segment>& curve, const Vec3& axis, const Vec3& outward) {
   const Vec3 across = axis.cross(outward);
   std::vector<double> crossings;
@@ -79,11 +92,7 @@ double last_crossing(const std::vector<Segment>& curve, const Vec3& axis, const 
     const Vec3 x = s[0] + from / (from - to) * (s[1] - s[0]);
     if (x.dot(outward) > 0.0) crossings.push_back(angle_between(x, axis) / kDegree);
   }
-  std::ranges::sort(crossings);
-  if (crossings.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::size_t last = 0;
-  while (last + 2 < crossings.size() && crossings[last + 1] - crossings[last] < kBridge) last += 2;
-  return crossings[last];
+  return last_of(std::move(crossings));
 }
 
 // The median of those about a clock position, which noise of single vertices hardly moves.
@@ -97,6 +106,80 @@ double steady_crossing(const std::vector<Segment>& curve, const Vec3& axis, cons
   if (found.size() <= kBeside) return std::numeric_limits<double>::quiet_NaN();
   std::ranges::sort(found);
   return found[found.size() / 2];
+}
+
+// Where a mesh crosses the plane through the origin with this normal.
+std::vector<Segment> plane_section(const TriangleMesh& mesh, const Vec3& normal) {
+  std::vector<Segment> section;
+  for (const Face& face : mesh.faces) {
+    std::vector<Vec3> ends;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& a = corner(mesh, face, k);
+      const Vec3& b = corner(mesh, face, (k + 1) % 3);
+      const double from = a.dot(normal);
+      const double to = b.dot(normal);
+      if ((from < 0.0) != (to < 0.0)) ends.emplace_back(a + from / (from - to) * (b - a));
+    }
+    if (ends.size() == 2) section.push_back({ends[0], ends[1]});
+  }
+  return section;
+}
+
+// Centre and radius of the circle in the plane of x and y that fits a contour by least squares, from a first
+// one about the origin; over what is off it by at most `trim`, and by kScales standard deviations (as
+// fit_ball()), which the neck hardly changes.
+std::optional<std::pair<Vec3, double>> fit_circle(const std::vector<Segment>& contour, double radius,
+                                                  double trim, const Vec3& x, const Vec3& y) {
+  Vec3 centre = Vec3::Zero();
+  for (int k = 0; k < kCircleSteps; ++k) {
+    std::vector<double> near;
+    const auto off = [&](const Segment& s) { return (0.5 * (s[0] + s[1]) - centre).norm() - radius; };
+    for (const Segment& s : contour)
+      if (std::abs(off(s)) <= trim * radius) near.push_back(std::abs(off(s)));
+    if (near.empty()) return std::nullopt;
+    const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
+    std::nth_element(near.begin(), middle, near.end());
+    const double most = std::min(trim * radius, kScales * 1.4826 * *middle + kFlat * radius);
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Vec3 right = Vec3::Zero();
+    for (const Segment& s : contour) {
+      if (!(std::abs(off(s)) <= most)) continue;
+      const Vec3 out = (0.5 * (s[0] + s[1]) - centre).normalized();
+      const Vec3 row(out.dot(x), out.dot(y), 1.0);
+      const double length = (s[1] - s[0]).norm();
+      normal += length * row * row.transpose();
+      right += length * off(s) * row;
+    }
+    const Eigen::LDLT<Eigen::Matrix3d> solver(normal);
+    if (!solver.isPositive() || !(solver.rcond() > kCircleRank)) return std::nullopt;
+    const Vec3 step = solver.solve(right);
+    centre += step[0] * x + step[1] * y;
+    radius += step[2];
+  }
+  return std::pair(centre, radius);
+}
+
+// Alpha as Notzli et al. 2002 draw it: in the plane of the neck's axis and anterior, the circle that fits the
+// head's contour, from the line through its centre and the middle of the neck to where the contour last
+// leaves it. NaN where it does not.
+double notzli_alpha(const TriangleMesh& mesh, const Vec3& middle_of_neck, const Vec3& anterior, double radius,
+                    const MeasureChoices& choices) {
+  const Vec3 x = middle_of_neck.normalized();
+  const Vec3 y = (anterior - anterior.dot(x) * x).normalized();
+  const std::vector<Segment> contour = plane_section(mesh, x.cross(y));
+  const auto circle = fit_circle(contour, radius, choices.trim, x, y);
+  if (!circle) return std::numeric_limits<double>::quiet_NaN();
+  const auto& [centre, fitted] = *circle;
+  const Vec3 axis = (middle_of_neck - centre).normalized();
+  const double left = (1.0 + choices.alpha_share) * fitted;
+  std::vector<double> crossings;
+  for (const Segment& s : contour) {
+    const Vec3 a = s[0] - centre;
+    const Vec3 b = s[1] - centre;
+    if ((a.norm() < left) != (b.norm() < left) && a.dot(y) > 0.0)
+      crossings.push_back(angle_between(a.norm() < left ? a : b, axis) / kDegree);
+  }
+  return last_of(std::move(crossings));
 }
 
 // Direction square to the normals of the straight lower end of the shaft, pointing down it.
@@ -165,6 +248,9 @@ FemurMeasures measure_femur(const TriangleMesh& ball, Side side, const MeasureCh
     };
     for (std::size_t h = 0; h < kClockHours; ++h) found.alpha[h] = alpha_at(static_cast<double>(h));
     found.alpha_at_1_30 = alpha_at(1.5);
+    const Vec3 middle = mean_over(section, [](const Vec3& x) { return x; });
+    found.alpha_notzli =
+        notzli_alpha(right, middle, clock_direction(neck, *clock, 0.5 * kPi, 3.0), radius, choices);
   }
   if (const auto shaft = shaft_axis(right, radius, choices.shaft_share)) {
     found.neck_shaft_angle = 180.0 - angle_between(neck, *shaft) / kDegree;

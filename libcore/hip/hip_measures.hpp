@@ -40,6 +40,7 @@ struct FemurMeasures {
   std::array<double, kClockHours> alpha{};  // at 12, 1, ... 11 o'clock about the neck axis; NaN where the
                                             // surface does not leave the head
   double alpha_at_1_30 = 0.0;               // the same at 1:30, where most cams are
+  double alpha_notzli = 0.0;                // in one plane, as Notzli 2002; NaN likewise
   std::optional<double> neck_shaft_angle;   // as HipParameters::neck_shaft_angle; none without straight shaft
   std::optional<double> femoral_torsion;    // as HipParameters::femoral_torsion; none without straight shaft
 };
@@ -50,6 +51,9 @@ struct FemurMeasures {
 ///   femur, which widens to the knee, only the first six head radii from the centre count;
 /// * alpha is as in hip_surface.hpp, the median within 18 minutes of a position. A bump that more than 20
 ///   degrees of head separate from the neck counts as head;
+/// * alpha in the plane is that of Notzli et al. 2002 (10.1302/0301-620X.84B4.12014): in the plane of the
+/// neck
+///   axis and anterior, about the circle that fits the head's contour there, not about the sphere;
 /// * torsion is from the transverse axis of the joint frame, which need not be that of the knee.
 /// std::invalid_argument, one line, if the mesh has no head or no neck, or ends at the neck.
 FemurMeasures measure_femur(const TriangleMesh& ball, Side side, const MeasureChoices& choices = {});

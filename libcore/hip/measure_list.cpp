@@ -44,6 +44,7 @@ std::vector<Named> femur_names() {
     add_alpha(std::to_string(hour == 0 ? kClockHours : hour));
     if (hour == 1) add_alpha("1_30");
   }
+  names.push_back({"alpha_notzli", "deg", "the contour does not leave the head's circle"});
   return names;
 }
 
@@ -67,6 +68,7 @@ Values femur_values(const TriangleMesh& ball, Side side, const MeasureChoices& c
       values.all.push_back(found.alpha[hour]);
       if (hour == 1) values.all.push_back(found.alpha_at_1_30);
     }
+    values.all.push_back(found.alpha_notzli);
     return values;
   } catch (const std::invalid_argument& error) {
     return {{}, error.what(), false};
@@ -92,10 +94,16 @@ struct Varied {
   double low;
   double high;
 };
-constexpr std::array kOfFemur{
-    Varied{&MeasureChoices::trim, 0.04, 0.08}, Varied{&MeasureChoices::neck_section, 1.3, 1.4},
-    Varied{&MeasureChoices::alpha_share, 0.015, 0.025}, Varied{&MeasureChoices::alpha_window, 0.15, 0.45},
-    Varied{&MeasureChoices::shaft_share, 0.25, 0.45}};
+constexpr double kLeastShare = 0.005;
+
+// A head is off its sphere before it ends: by how much, moves where it counts as having left it.
+std::array<Varied, 5> of_femur(const SphereFit& head) {
+  const double off = std::max(kLeastShare, 2.0 * head.rms / head.radius);
+  return {Varied{&MeasureChoices::trim, 0.04, 0.08}, Varied{&MeasureChoices::neck_section, 1.3, 1.4},
+          Varied{&MeasureChoices::alpha_share, std::max(kLeastShare, kAlphaShare - off), kAlphaShare + off},
+          Varied{&MeasureChoices::alpha_window, 0.15, 0.45},
+          Varied{&MeasureChoices::shaft_share, 0.25, 0.45}};
+}
 constexpr std::array kOfSocket{
     Varied{&MeasureChoices::trim, 0.04, 0.08}, Varied{&MeasureChoices::rim_band, 0.1, 0.2},
     Varied{&MeasureChoices::first_meridian, 0.33, 0.67}, Varied{&MeasureChoices::plane_tolerance, 0.5, 2.0}};
@@ -154,16 +162,16 @@ void add_measures(const std::vector<Named>& names, std::span<const Varied> choic
 }  // namespace
 
 std::vector<Measure> measure_hip(const BallSocketPair& joint, Side side) {
-  std::vector<Measure> measures;
-  add_measures(
-      femur_names(), kOfFemur,
-      [&](const MeasureChoices& choices) { return femur_values(joint.ball, side, choices); }, measures);
   SphereFit head;
   try {
     head = fit_ball(joint.ball);
   } catch (const std::invalid_argument&) {
     head.radius = joint.ball.vertices.front().norm();  // no ball: about the centre
   }
+  std::vector<Measure> measures;
+  add_measures(
+      femur_names(), of_femur(head),
+      [&](const MeasureChoices& choices) { return femur_values(joint.ball, side, choices); }, measures);
   add_measures(
       socket_names(), kOfSocket,
       [&](const MeasureChoices& choices) { return socket_values(joint.socket, head, side, choices); },

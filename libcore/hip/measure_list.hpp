@@ -22,14 +22,17 @@ struct Measure {
 };
 
 /// head_radius, head_neck_offset, neck_shaft_angle, femoral_torsion, alpha_at_12, alpha_at_1, alpha_at_1_30,
-/// alpha_at_2 ... alpha_at_11 (o'clock about the neck), socket_radius, inclination, version, half_opening,
-/// lateral_centre_edge and coverage (hip/hip_measures.hpp), in this order, of meshes in the joint frame.
+/// alpha_at_2 ... alpha_at_11 (o'clock about the neck), alpha_notzli, socket_radius, inclination, version,
+/// half_opening, lateral_centre_edge and coverage (hip/hip_measures.hpp), in this order, of meshes in the
+/// joint frame.
 ///
 /// Each is measured again with each of the MeasureChoices varied to either side; the uncertainty is the
-/// largest change. A measure that changes by more than 10 degrees, 2 mm or 0.1 (coverage), or is not found
-/// with one of the choices, is refused. If more than a tenth of the rim is a boundary of the mesh, the
-/// measures that depend on the rim say so in their state: a socket cut within its rim looks like one that
-/// ends there. What the meshes do not show, such as how the pelvis lay, is not in the uncertainty.
+/// largest change. Where the head ends is varied by twice the rms by which the head itself is off its sphere,
+/// as a bearing surface that is not round has no sharper end. A measure that changes by more than 10 degrees,
+/// 2 mm or 0.1 (coverage), or is not found with one of the choices, is refused. If more than a tenth of the
+/// rim is a boundary of the mesh, the measures that depend on the rim say so in their state: a socket cut
+/// within its rim looks like one that ends there. What the meshes do not show, such as how the pelvis lay, is
+/// not in the uncertainty.
 std::vector<Measure> measure_hip(const BallSocketPair& joint, Side side);
 
 }  // namespace impinge

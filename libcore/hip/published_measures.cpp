@@ -20,6 +20,8 @@ constexpr std::array kPublished{
     PublishedMeasure{"femoral_torsion", {}, {}, 14.2, 7.4, 20.4, "1,070 femora, by CT", kHartel},
     mean_of("alpha_at_1_30", 50.2, 8.0, kVolunteers, kHack),
     mean_of("alpha_at_3", 40.9, 7.0, kVolunteers, kHack),
+    mean_of("alpha_notzli", 42.0, 2.2, "35 volunteers without symptoms, by MRI (39 patients: 74.0 +- 5.4)",
+            "Notzli 2002, J Bone Joint Surg Br 84-B(4), 556"),
     mean_of("version", 17.9, 4.9,
             "404 adults, by CT: men 16.5 +- 4.4 and women 19.3 +- 5.0, half of each (pooled here)",
             "Klasan 2019, J Orthop Translat 18, 7"),

@@ -21,7 +21,7 @@ CLINICAL = ["internal_rotation_at_45", "internal_rotation_at_70", "internal_rota
 LIMITS = ("joint,motion,threshold_mm,centre,state,low_deg,high_deg,centre_low_deg,centre_high_deg,half_mm_gap_deg,clock,"
           "what").split(",")
 MEASURES = ["head_radius", "head_neck_offset", "neck_shaft_angle", "femoral_torsion",
-            *(f"alpha_at_{hour}" for hour in (12, 1, "1_30", *range(2, 12))), "socket_radius", "inclination", "version", "half_opening",
+            *(f"alpha_at_{hour}" for hour in (12, 1, "1_30", *range(2, 12))), "alpha_notzli", "socket_radius", "inclination", "version", "half_opening",
             "lateral_centre_edge", "coverage"]
 
 PUBLISHED = [f"published_{key}" for key in ("mean", "sd", "median", "lower_quartile", "upper_quartile", "of", "source")]
@@ -229,7 +229,7 @@ class Tables(unittest.TestCase):
             self.assertEqual([number(rows[name][key]) for key in ("published_mean", "published_sd")],
                              [number(compared[f"alpha at {time}, {what}"]) for what in ("mean", "sd")])
         with_source = {name for name, row in rows.items() if row["published_source"]}
-        self.assertEqual(with_source, {"version", "lateral_centre_edge", "half_opening", "neck_shaft_angle", "femoral_torsion", "alpha_at_3",
+        self.assertEqual(with_source, {"version", "lateral_centre_edge", "half_opening", "neck_shaft_angle", "femoral_torsion", "alpha_at_3", "alpha_notzli",
                                        "alpha_at_1_30"})
 
     def test_measures_of_a_folder_are_those_of_its_joints(self):

@@ -15,6 +15,7 @@
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "hip/hip_surface.hpp"
+#include "hip/measure_list.hpp"
 #include "mesh/bodies.hpp"
 #include "support/turned.hpp"
 
@@ -49,6 +50,7 @@ void expect_measures(const HipParameters& p, const Hip& hip) {
   for (std::size_t h = 0; h < kClockHours; ++h)
     EXPECT_NEAR(femur.alpha[h], alpha_angle_deg(surface, static_cast<double>(h)), kAngle) << h << " o'clock";
   EXPECT_NEAR(femur.alpha_at_1_30, median_alpha(surface, 1.5), kAngle);
+  EXPECT_NEAR(femur.alpha_notzli, alpha_angle_deg(surface, 3.0), kAngle);  // the head is a sphere
 
   const AcetabulumMeasures socket = measure_acetabulum(test::moved(hip.socket, kFarAway), femur.head, p.side);
   EXPECT_NEAR(socket.socket.radius - femur.head.radius, p.joint_space, kLength);
@@ -181,6 +183,44 @@ TEST(HipMeasures, NoiseOfTheSurfaceMovesAlphaByAFewDegrees) {
     }
   }
   EXPECT_GT(most_of_single, 2.0 * most);
+}
+
+// The head of a hip, wider by 6 % across the plane of the neck and anterior: that plane sees the same
+// contour.
+TEST(HipMeasures, NotzlisAlphaIsThatOfItsPlaneAlone) {
+  const HipParameters p = hip_preset("normal");
+  Hip hip = make_hip(p, 40000);
+  const FemurMeasures round = measure_femur(hip.ball, p.side);
+  const Vec3 neck = round.neck_axis;
+  const Vec3 across = neck.cross(Vec3::UnitY()).normalized();  // +y is posterior or anterior
+  for (Vec3& v : hip.ball.vertices) v += 0.06 * v.dot(across) * across;
+  const FemurMeasures wide = measure_femur(hip.ball, p.side);
+  EXPECT_NEAR(wide.alpha_notzli, round.alpha_notzli, 2.0);
+  EXPECT_GT(std::abs(wide.alpha[3] - round.alpha[3]), 5.0);
+}
+
+// A head that is off its sphere by a few tenths of a millimetre all over, and by 0.85 mm about 2 o'clock far
+// beyond the neck: no edge of a cam ends there.
+TEST(HipMeasures, AlphaIsNotThatOfABearingSurfaceOffItsSphere) {
+  const HipParameters p = hip_preset("normal");
+  Hip hip = make_hip(p);
+  const Vec3 axis = measure_femur(hip.ball, p.side).neck_axis;
+  const Vec3 outward = clock_direction(axis, *clock_about(axis), 0.5 * kPi, 2.0);
+  for (Vec3& v : hip.ball.vertices) {
+    const Vec3 u = v.normalized();
+    const double polar = angle_between(v, axis) / kDegree;
+    const double aside = angle_between(Vec3(v - v.dot(axis) * axis), outward) / kDegree;
+    if (v.norm() > 1.1 * p.head_radius || polar < 30.0) continue;
+    v += (0.3 * std::sin(9.0 * u.x()) * std::cos(8.0 * u.y()) +
+          0.85 * std::clamp((108.0 - polar) / 6.0, 0.0, 1.0) * std::clamp((40.0 - aside) / 10.0, 0.0, 1.0)) *
+         u;
+  }
+  EXPECT_GT(measure_femur(hip.ball, p.side).alpha[2], 95.0);  // taken at its word
+  const std::vector<Measure> measures = measure_hip({hip.ball, hip.socket}, p.side);
+  const auto at_2 =
+      std::ranges::find_if(measures, [](const Measure& one) { return one.name == "alpha_at_2"; });
+  ASSERT_NE(at_2, measures.end());
+  EXPECT_TRUE(at_2->state.starts_with("refused: it moves by")) << at_2->state;
 }
 
 TEST(HipMeasures, ABallWithoutAShaftHasNoShaftAngle) {

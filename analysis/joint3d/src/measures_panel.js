@@ -7,7 +7,7 @@ const NAMES = {
   head_radius: "Radius of the head", head_neck_offset: "Head-neck offset", neck_shaft_angle: "Neck-shaft angle (CCD)",
   femoral_torsion: "Torsion of the femur", inclination: "Inclination of the socket", version: "Version of the socket",
   half_opening: "Half opening of the socket", lateral_centre_edge: "Lateral centre-edge angle (LCE)",
-  socket_radius: "Radius of the socket", coverage: "Share of directions within the rim",
+  alpha_notzli: "Alpha in one plane (Nötzli)", socket_radius: "Radius of the socket", coverage: "Share of directions within the rim",
 };
 const ALPHA = "alpha_at_";
 const hour = (measure) => measure.replace(ALPHA, "").replace("_", ":");
