@@ -101,10 +101,10 @@ void check_limit(const Compared& with, const TurnLimits& limits, const TurnLimit
   }
 }
 
-class RealBonesLimits : public testing::TestWithParam<std::size_t> {};
-INSTANTIATE_TEST_SUITE_P(Joint, RealBonesLimits, testing::Range(std::size_t{0}, test::kShares));
+class TheoremTurnOfRealBones : public testing::TestWithParam<std::size_t> {};
+INSTANTIATE_TEST_SUITE_P(Joint, TheoremTurnOfRealBones, testing::Range(std::size_t{0}, test::kShares));
 
-TEST_P(RealBonesLimits, AreThoseOfAPeerOrEarlierAndExact) {
+TEST_P(TheoremTurnOfRealBones, AreThoseOfAPeerOrEarlierAndExact) {
   for (const JointFolder& joint : test::joints_of(GetParam())) {
     for (const test::BoneVariant& of : test::variants(joint)) {
       const Joint made = assemble_joint(of.input);

@@ -116,10 +116,10 @@ void ask_between(TouchCheck& check, Dice& dice) {
   }
 }
 
-class RealBonesTouch : public testing::TestWithParam<std::size_t> {};
-INSTANTIATE_TEST_SUITE_P(Joint, RealBonesTouch, testing::Range(std::size_t{0}, test::kShares));
+class TheoremContactOfRealBones : public testing::TestWithParam<std::size_t> {};
+INSTANTIATE_TEST_SUITE_P(Joint, TheoremContactOfRealBones, testing::Range(std::size_t{0}, test::kShares));
 
-TEST_P(RealBonesTouch, WhereCgalSays) {
+TEST_P(TheoremContactOfRealBones, WhereCgalSays) {
   for (const JointFolder& joint : test::joints_of(GetParam())) {
     for (const test::BoneVariant& of : test::variants(joint)) {
       SCOPED_TRACE(joint.subject + ", " + of.name);
@@ -137,7 +137,7 @@ TEST_P(RealBonesTouch, WhereCgalSays) {
 
 // A femur of a fiftieth of its size about each place of the pelvis: in its bone, through its surface, and
 // off.
-TEST_P(RealBonesTouch, InsideWhereSolidAnglesSay) {
+TEST_P(TheoremContactOfRealBones, InsideWhereSolidAnglesSay) {
   for (const JointFolder& joint : test::joints_of(GetParam())) {
     test::BoneVariant of = test::variants(joint).front();
     if (!test::closed(of.ball) || !test::closed(of.socket)) continue;

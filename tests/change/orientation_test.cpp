@@ -98,13 +98,13 @@ void expect_closed_form(Side side, double tilt_deg) {
   EXPECT_NEAR(area[CellState::free] + area[CellState::blocked] + area[CellState::open], 3600.0, 1e-6);
 }
 
-TEST(Orientation, OfAConeInACupIsItsClosedForm) {
+TEST(TheoremOrientation, OfAConeInACupIsItsClosedForm) {
   expect_closed_form(Side::right, 0.0);
   expect_closed_form(Side::left, -12.0);
 }
 
 // Sockets that are turned, mesh and all, and asked of the exact overlay.
-TEST(Orientation, AgreesWithSocketsThatAreTurned) {
+TEST(TheoremOrientation, AgreesWithSocketsThatAreTurned) {
   const Hip hip = make_hip(hip_preset("cam"), 800);
   const CellTest joint({hip.ball, hip.socket});
   OrientationQuestion question;

@@ -97,7 +97,7 @@ struct CamThatTurnsFarther {
   Resection cut = least_radial_cut(hip.ball, swept, {.clearance_mm = 0.5});
 };
 
-TEST(Resection, LetsTheCutBallReachAllThatWasRequired) {
+TEST(TheoremResection, LetsTheCutBallReachAllThatWasRequired) {
   const CamThatTurnsFarther cam;
   ASSERT_FALSE(cam.cut.empty());
   const TurnLimits before({cam.hip.ball, cam.hip.socket});
@@ -110,7 +110,7 @@ TEST(Resection, LetsTheCutBallReachAllThatWasRequired) {
 }
 
 // Contact comes back where a vertex stands a hair beyond E, and not where it stands a hair within.
-TEST(Resection, LeavesNoMoreThanItMay) {
+TEST(TheoremResection, LeavesNoMoreThanItMay) {
   const CamThatTurnsFarther cam;
   const Vec3 at = cam.cut.cut.vertices[cam.cut.deepest];
   const Ends least = cam.swept.over({at.normalized(), 1e-5}, 1e3);
@@ -155,7 +155,7 @@ std::vector<double> crossings_along(const TriangleMesh& mesh, const Vec3& u) {
 
 // In random poses of the path no bone of the socket is within the clearance of bone of the ball that is in no
 // cell; and the radial cut takes no less.
-TEST(LeastCut, HoldsAllThatTheBoneSweepsThrough) {
+TEST(TheoremSweep, HoldsAllThatTheBoneSweepsThrough) {
   HipParameters parameters = hip_preset("cam");
   parameters.wall_thickness = 4.0;
   const Hip hip = make_hip(parameters, 600);
@@ -208,7 +208,7 @@ TEST(LeastCut, NeedsAWall) {
 }
 
 // What is in bone along single rays of a cap, and what is certain of all.
-TEST(BoneOverCap, HoldsWhatEveryRayMeets) {
+TEST(TheoremSweep, HoldsWhatEveryRayMeets) {
   HipParameters parameters = hip_preset("pincer");
   parameters.wall_thickness = 5.0;
   const TriangleMesh mesh = make_hip(parameters, 600).socket;
@@ -270,7 +270,7 @@ void expect_ends_of_what_sweeps(const TriangleMesh& moving, Surface cut) {
   EXPECT_TRUE(ball || close > 20U) << close;
 }
 
-TEST(SweptRadius, HoldsWhatEveryPoseMeets) {
+TEST(TheoremResection, HoldsWhatEveryPoseMeets) {
   expect_ends_of_what_sweeps(make_hip(hip_preset("pincer"), 600).socket, Surface::ball);
   expect_ends_of_what_sweeps(make_hip(hip_preset("cam"), 600).ball, Surface::socket);
 }

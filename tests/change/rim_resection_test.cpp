@@ -212,7 +212,7 @@ struct PincerThatTurnsFarther {
   Resection cut;
 };
 
-TEST(RimResection, LetsTheBallReachAllThatWasRequired) {
+TEST(TheoremResection, LetsTheBallReachAllThatWasRequired) {
   for (const double wall_mm : {0.0, 4.0}) {
     const PincerThatTurnsFarther pincer(wall_mm);
     ASSERT_FALSE(pincer.cut.empty());
@@ -228,7 +228,7 @@ TEST(RimResection, LetsTheBallReachAllThatWasRequired) {
 }
 
 // Contact comes back where a vertex stands a hair within F, and not where it stands a hair beyond.
-TEST(RimResection, TakesNoMoreThanItMust) {
+TEST(TheoremResection, TakesNoMoreThanItMust) {
   const PincerThatTurnsFarther pincer(0.0);
   const Vec3 at = pincer.cut.cut.vertices[pincer.cut.deepest];
   const Ends most = pincer.swept.over({at.normalized(), 1e-6}, 0.0);

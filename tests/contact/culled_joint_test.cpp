@@ -59,7 +59,7 @@ Seen expect_all_alike(const BallSocketPair& joint, const std::vector<Pose>& pose
   return seen;
 }
 
-TEST(CulledJoint, AnswersAsEveryVertexDoesInRandomPoses) {
+TEST(TheoremCaps, AnswersAsEveryVertexDoesInRandomPoses) {
   for (const std::size_t faces : {100U, 1000U}) {
     const BallSocketPair joint = make_ball_socket_pair(faces, impinging_cam());
     for (const double shift : {0.0, 1.0, 5.0}) {
@@ -71,7 +71,7 @@ TEST(CulledJoint, AnswersAsEveryVertexDoesInRandomPoses) {
 }
 
 // Within 10^-5 to 10^-0.5 mm of the first contact.
-TEST(CulledJoint, AnswersAsEveryVertexDoesCloseToContact) {
+TEST(TheoremCaps, AnswersAsEveryVertexDoesCloseToContact) {
   const BallSocketPair joint = make_ball_socket_pair(300);
   const SurfaceOverlay overlay(joint.ball, joint.socket);
   ContactOptions options;
@@ -85,7 +85,7 @@ TEST(CulledJoint, AnswersAsEveryVertexDoesCloseToContact) {
 }
 
 // A translation as long as the vertices' distances leaves no caps to speak of.
-TEST(CulledJoint, AnswersAsEveryVertexDoesFarOffTheCentre) {
+TEST(TheoremCaps, AnswersAsEveryVertexDoesFarOffTheCentre) {
   const BallSocketPair joint = make_ball_socket_pair(100);
   for (const double shift : {21.9, 30.0, 200.0}) {
     std::vector<Pose> poses = test::random_poses(20, 3.0, 1.0, 23);
@@ -210,7 +210,7 @@ OverlaySeen expect_alike(const BallSocketPair& joint, const std::vector<Pose>& p
   return seen;
 }
 
-TEST(CulledOverlay, AnswersAsAllFacesDoInRandomPoses) {
+TEST(TheoremCaps, AnswersAsAllFacesDoInRandomPoses) {
   const BallSocketPair joint = make_ball_socket_pair(300, impinging_cam());
   for (const double shift : {0.0, 2.0, 5.0, 30.0}) {
     const OverlaySeen seen = expect_alike(joint, test::random_poses(6, 3.0, shift, 51));
@@ -219,7 +219,7 @@ TEST(CulledOverlay, AnswersAsAllFacesDoInRandomPoses) {
 }
 
 // Within 10^-5 to 10^-0.5 mm of the first contact of the surfaces, which is one of edges in most.
-TEST(CulledOverlay, AnswersAsAllFacesDoCloseToContact) {
+TEST(TheoremCaps, AnswersAsAllFacesDoCloseToContact) {
   const BallSocketPair joint = make_ball_socket_pair(300);
   ContactOptions options;
   options.count = 24;
@@ -234,7 +234,7 @@ TEST(CulledOverlay, AnswersAsAllFacesDoCloseToContact) {
 }
 
 // Faces wider than any look-up, and two surfaces that touch everywhere.
-TEST(CulledOverlay, AnswersAsAllFacesDoOfLargeFaces) {
+TEST(TheoremCaps, AnswersAsAllFacesDoOfLargeFaces) {
   for (const double radius : {16.0, 24.0}) {
     const BallSocketPair joint{octahedron(16.0), octahedron(radius)};
     const OverlaySeen seen = expect_alike(joint, test::random_poses(30, 3.0, 4.0, 53));

@@ -46,7 +46,7 @@ std::vector<Vec3> points_within(double length, std::size_t count, unsigned seed)
   return points;
 }
 
-TEST(EuclideanDistance, IsExactForTrianglesAtRandom) {
+TEST(TheoremDistance, IsExactForTrianglesAtRandom) {
   for (unsigned seed = 0; seed < random_cases() / 10; ++seed) {
     const TriangleMesh mesh = test::soup(1 + seed % 40, seed);
     std::vector<Vec3> points = points_within(80.0, 20, seed);
@@ -67,7 +67,7 @@ TEST(EuclideanDistance, IsExactForThePair) {
 }
 
 // Slivers of any width down to none, all over one another, and points above them: no normal is certain.
-TEST(EuclideanDistance, HoldsForSlivers) {
+TEST(TheoremDistance, HoldsForSlivers) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
   for (unsigned seed = 0; seed < random_cases() / 10; ++seed) {
@@ -85,7 +85,7 @@ TEST(EuclideanDistance, HoldsForSlivers) {
   }
 }
 
-TEST(EuclideanDistance, HoldsForAllLengthsThatTheLibraryTakes) {
+TEST(TheoremDistance, HoldsForAllLengthsThatTheLibraryTakes) {
   for (const double scale : {0x1p-94, 1e-9, 1e9, 0x1p95}) {
     TriangleMesh mesh = test::soup(20, 3);
     std::vector<Vec3> points = points_within(50.0, 50, 4);

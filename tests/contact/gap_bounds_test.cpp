@@ -65,7 +65,7 @@ void for_each_node(const CapTree& tree, Visit&& visit) {
 
 namespace {
 
-TEST(MovedCaps, HoldTheirVertices) {
+TEST(TheoremCaps, HoldTheirVertices) {
   const BallSocketPair joint{test::bumpy(400, 8.0), test::bumpy(400, 8.0)};
   for (const double shift : {0.0, 4.0, 24.0, 60.0}) {
     for (const Pose& pose : test::random_poses(3, 3.0, shift, 36)) {
@@ -129,7 +129,7 @@ TEST(MovedCaps, LengthsAreThoseOfTheEdge) {
 }
 
 // In poses near and far.
-TEST(GapBounds, NoVertexHasASmallerGap) {
+TEST(TheoremCaps, NoVertexHasASmallerGap) {
   const BallSocketPair joint = make_ball_socket_pair(300, impinging_cam());
   const CulledJoint culled(joint);
   for (const double shift : {0.0, 3.0, 23.0}) {
@@ -306,9 +306,9 @@ TEST(CapLimits, WhereThereIsNoSurfaceThereIsNoLimit) {
 
 using Long3 = Eigen::Matrix<long double, 3, 1>;
 
-class CancellingShiftsAttack : public testing::TestWithParam<Surface>, protected test::Dice {
+class TheoremCapsOfCancellingShifts : public testing::TestWithParam<Surface>, protected test::Dice {
  protected:
-  CancellingShiftsAttack() : Dice(7) {}
+  TheoremCapsOfCancellingShifts() : Dice(7) {}
   // Each power of ten as often as any other.
   double length(double from, double to) { return std::exp(between(std::log(from), std::log(to))); }
   Eigen::Matrix3d turn() { return Eigen::AngleAxisd(between(-kPi, kPi), direction()).toRotationMatrix(); }
@@ -328,11 +328,12 @@ class CancellingShiftsAttack : public testing::TestWithParam<Surface>, protected
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Surfaces, CancellingShiftsAttack, testing::Values(Surface::ball, Surface::socket),
+INSTANTIATE_TEST_SUITE_P(Surfaces, TheoremCapsOfCancellingShifts,
+                         testing::Values(Surface::ball, Surface::socket),
                          [](const auto& of) { return of.param == Surface::ball ? "Ball" : "Socket"; });
 
 // Up to eight vertices about a direction, and one of them taken beside the centre.
-TEST_P(CancellingShiftsAttack, BoundsHoldTheirVertices) {
+TEST_P(TheoremCapsOfCancellingShifts, BoundsHoldTheirVertices) {
   for (std::size_t n = 0; n < random_cases(); ++n) {
     const Vec3 axis = direction();
     const double wide = length(1e-7, 1.0);
@@ -362,7 +363,7 @@ TEST_P(CancellingShiftsAttack, BoundsHoldTheirVertices) {
 
 // A cap whose axis is opposite to the shift, or along it, but for less than what a float tells: the vertex on
 // the edge of the cap is the one that its bound is about.
-TEST_P(CancellingShiftsAttack, BoundsHoldTheEdgeOfACapAgainstTheShift) {
+TEST_P(TheoremCapsOfCancellingShifts, BoundsHoldTheEdgeOfACapAgainstTheShift) {
   for (std::size_t n = 0; n < random_cases(); ++n) {
     const Vec3 axis = direction();
     const Vec3 aside = axis.cross(direction()).normalized();
@@ -396,7 +397,7 @@ long double gap_to(const TriangleMesh& face, const Long3& x, Surface scanned) {
 
 // A corner of a face is taken to 90 % of its distance beyond a face of the other surface, or as far before
 // it.
-TEST_P(CancellingShiftsAttack, NoTouchIsMissed) {
+TEST_P(TheoremCapsOfCancellingShifts, NoTouchIsMissed) {
   const auto beside = [](const Vec3& p, double a, double b) -> Vec3 {
     const Vec3 across = p.unitOrthogonal();
     return p + a * across + b * p.normalized().cross(across);

@@ -67,7 +67,7 @@ TriangleMesh mixed(Dice& dice, int faces) {
   return mesh;
 }
 
-TEST(MovedFaces, MeetWhereCgalSaysSo) {
+TEST(TheoremNear, MeetWhereCgalSaysSo) {
   Dice dice(1);
   Answers seen;
   for (int round = 0; round < 100; ++round) {
@@ -192,7 +192,7 @@ void for_points_of(const FaceRuns& surface, Dice& dice, const Visit& visit) {
   }
 }
 
-TEST(NearCells, NoFartherThanPoints) {
+TEST(TheoremNear, NoFartherThanPoints) {
   Dice dice(8);
   for (int round = 0; round < 60; ++round) {
     const FaceRuns surface(mixed(dice, dice.whole(1, 60)));
@@ -216,7 +216,7 @@ TEST(NearCells, NoFartherThanPoints) {
   }
 }
 
-TEST(LeastRadii, NoLargerThanThoseOfPoints) {
+TEST(TheoremNear, NoLargerThanThoseOfPoints) {
   Dice dice(9);
   for (int round = 0; round < 60; ++round) {
     const FaceRuns surface(mixed(dice, dice.whole(1, 60)));

@@ -30,9 +30,9 @@ namespace {
 constexpr std::size_t kPosesPerJoint = 20;  // making a joint costs as much as asking it so often
 constexpr std::size_t kPosesPerOracle = 8;  // the oracle costs as much again
 
-class OverlayAttack : public testing::Test, protected test::Dice {
+class TheoremOverlay : public testing::Test, protected test::Dice {
  protected:
-  OverlayAttack() : Dice(11) {}
+  TheoremOverlay() : Dice(11) {}
   // On a grid of 8 mm: corners of different faces and of poses by whole steps and quarter turns coincide.
   Vec3 on_grid() {
     Vec3 v = Vec3::Zero();
@@ -156,7 +156,7 @@ bool oracle(const BallSocketPair& joint, const Pose& pose) {
              .socket_within_ball();
 }
 
-TEST_F(OverlayAttack, CullingAndTheOracleAgreeOnDegenerateJoints) {
+TEST_F(TheoremOverlay, CullingAndTheOracleAgreeOnDegenerateJoints) {
   std::size_t impinged = 0;
   std::size_t between_vertices = 0;
   const std::size_t cases = random_cases();
@@ -183,7 +183,7 @@ TEST_F(OverlayAttack, CullingAndTheOracleAgreeOnDegenerateJoints) {
 }
 
 // Each pose has a joint of its own, which takes a millisecond to make.
-TEST_F(OverlayAttack, NeedlesThatMeetTipOnTipAreFound) {
+TEST_F(TheoremOverlay, NeedlesThatMeetTipOnTipAreFound) {
   std::size_t between_vertices = 0;
   const std::size_t cases = random_cases() / 10;
   for (std::size_t n = 0; n < cases; ++n) {

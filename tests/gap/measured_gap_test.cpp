@@ -117,7 +117,7 @@ TEST(MeasuredGap, TheEndsAreAsFarOutAsIsDerived) {
 }
 
 // Faces that are seen more and more edge-on, slivers, and points next to corners and edges, near and far.
-TEST(MeasuredGapAttack, HoldsTheExactGapOfSteepFacesAndSlivers) {
+TEST(TheoremGap, HoldsTheExactGapOfSteepFacesAndSlivers) {
   std::mt19937_64 random(181);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const auto vector = [&] { return test::random_vector(unit, random); };
@@ -237,7 +237,7 @@ TEST(ExactSide, OfTheCentreIsWithinTheBallAndNeverBeyondTheSocket) {
 
 // A vertex of the ball impinges if it is in the shadow of a face of the socket, one of the socket if it is in
 // the pyramid of a face of the ball.
-TEST(ExactSide, IsThatOfTheOracleInEveryPose) {
+TEST(TheoremSigns, IsThatOfTheOracleInEveryPose) {
   const BallSocketPair joint = make_ball_socket_pair(400, impinging_cam());
   const NearFaces ball_faces(joint.ball, 0.0);
   const NearFaces socket_faces(joint.socket, 0.0);
@@ -263,7 +263,7 @@ TEST(ExactSide, IsThatOfTheOracleInEveryPose) {
 
 // At a vertex of the mesh itself the gap is zero: on it is impinged, a unit of the last place before it
 // clear.
-TEST(ExactSide, TellsNeighbouringDoublesApart) {
+TEST(TheoremSigns, TellsNeighbouringDoublesApart) {
   const TriangleMesh mesh = octahedron(16.0);
   const NearFaces faces(mesh, 0.0);
   for (const Vec3& u : test::random_directions(500, 12)) {

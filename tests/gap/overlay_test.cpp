@@ -49,7 +49,7 @@ Agreement compare(const TriangleMesh& ball, const TriangleMesh& socket, const st
 }
 
 // Faces from a quarter of the view to small ones, so that every way of looking them up is taken.
-TEST(Overlay, AgreesWithTheOracleOnBodiesOfAllKinds) {
+TEST(TheoremOverlay, AgreesWithTheOracleOnBodiesOfAllKinds) {
   struct Case {
     TriangleMesh ball;
     TriangleMesh socket;
@@ -213,9 +213,9 @@ TEST(HoldsCentre, InsideOnASideAndBetweenCornersOnALine) {
 
 constexpr double kReach = 200.0;  // mm, beyond all vertices in all poses
 
-class MeetingSurfacesAttack : public testing::Test, protected test::Dice {
+class TheoremSlip : public testing::Test, protected test::Dice {
  protected:
-  MeetingSurfacesAttack() : Dice(17) {}
+  TheoremSlip() : Dice(17) {}
   // A bumpy closed ball, and a bumpy cup or a closed socket.
   BallSocketPair any_joint() {
     const auto bumps = [this](TriangleMesh mesh, double height) {
@@ -269,7 +269,7 @@ std::optional<std::array<double, 2>> change(const SurfaceOverlay& overlay, const
 }
 
 // Random poses, and next to every second one the two nearest between which the verdict changes.
-TEST_F(MeetingSurfacesAttack, ImpingedIsToMeetOrToHaveSlippedPast) {
+TEST_F(TheoremSlip, ImpingedIsToMeetOrToHaveSlippedPast) {
   const std::size_t cases = std::max<std::size_t>(random_cases() / 10, 1000);  // poses, some 100 a joint
   std::size_t tangent = 0;
   std::size_t without_meeting = 0;

@@ -117,7 +117,7 @@ TEST(AssembledJoint, ABallBesideItsCentreIsRefused) {
 
 // The socket is out of sight, which is told once the ball is taken. Four milliseconds each, for a raster of
 // half a degree: 1,000 cases, and 10,000 where others have 100,000.
-TEST(AssembledJointAttack, CapsOfAnySizeAndCentre) {
+TEST(AssembledJoint, CapsOfAnySizeAndCentre) {
   std::mt19937_64 random(18);
   const auto between = [&random](double low, double high) {
     return std::uniform_real_distribution(low, high)(random);

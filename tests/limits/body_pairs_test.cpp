@@ -105,7 +105,7 @@ TriangleMesh speck(const Vec3& at) {
 const Vec3 kFar(60.0, 7.0, -3.0);  // of a part
 
 // Shifts take bodies to each other that a turn alone never brings near.
-TEST(BodyPairs, MeetWhereCgalSays) {
+TEST(TheoremContact, MeetWhereCgalSays) {
   const Hips hips;
   const BodyPairs pairs(hips.main, hips.beside);
   ASSERT_FALSE(pairs.has_inside());
@@ -141,7 +141,7 @@ TEST(BodyPairs, MeetWhereCgalSays) {
 
 // Closed bodies of random shape: in contact where the surfaces meet or the solid angle says that a corner of
 // one is inside the other, and by which of these.
-TEST(BodyPairs, OfClosedBodiesAreWhatSolidAnglesSay) {
+TEST(TheoremContact, OfClosedBodiesAreWhatSolidAnglesSay) {
   test::Dice dice(3);
   std::array<std::size_t, 3> found{};
   for (std::size_t k = 0; k < std::min<std::size_t>(random_cases(), 3000); ++k) {
@@ -465,13 +465,13 @@ TEST(BodyPairs, OneInsideTheOtherIsContact) {
 }
 
 // What is said of all rotations near one, in random ones of them, at their end too, and with shifts.
-class ManyRotations : public testing::TestWithParam<bool> {};
+class TheoremContactInManyRotations : public testing::TestWithParam<bool> {};
 
-INSTANTIATE_TEST_SUITE_P(OfAShaft, ManyRotations, testing::Bool(), [](const auto& cut) {
+INSTANTIATE_TEST_SUITE_P(OfAShaft, TheoremContactInManyRotations, testing::Bool(), [](const auto& cut) {
   return std::string(cut.param ? "ThatIsCut" : "ThatIsWhole");
 });
 
-TEST_P(ManyRotations, HoldInEveryOne) {
+TEST_P(TheoremContactInManyRotations, HoldInEveryOne) {
   Hips hips;
   if (GetParam()) {
     std::erase_if(hips.main.ball.faces, [&](const Face& face) {
@@ -619,7 +619,7 @@ TEST(BodyPairs, AreNearestInClosedForm) {
 }
 
 // Of a hip with parts, by CGAL's exact distances of vertices.
-TEST(BodyPairs, AreWithinAGapWhereCgalSays) {
+TEST(TheoremContact, AreWithinAGapWhereCgalSays) {
   const Hips hips;
   const BodyPairs pairs(hips.main, hips.beside);
   test::Dice dice(11);

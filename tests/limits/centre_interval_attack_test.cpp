@@ -73,13 +73,12 @@ CentreQuestion random_question(CentreDoubt doubt, Dice& random) {
   return {.doubt = doubt, .within_mm = random.power(-2.0, 0.3)};
 }
 
-class CentreIntervalAttack : public testing::TestWithParam<CentreDoubt> {};
+class TheoremCentre : public testing::TestWithParam<CentreDoubt> {};
 
-INSTANTIATE_TEST_SUITE_P(Doubts, CentreIntervalAttack,
-                         testing::Values(CentreDoubt::common, CentreDoubt::play),
+INSTANTIATE_TEST_SUITE_P(Doubts, TheoremCentre, testing::Values(CentreDoubt::common, CentreDoubt::play),
                          [](const auto& of) { return of.param == CentreDoubt::common ? "Common" : "Play"; });
 
-TEST_P(CentreIntervalAttack, OfLooseTriangles) {
+TEST_P(TheoremCentre, OfLooseTriangles) {
   Dice random(11);
   CentreCounts counts;
   const std::size_t cases = random_cases() / 2;
@@ -102,7 +101,7 @@ TEST_P(CentreIntervalAttack, OfLooseTriangles) {
 }
 
 // A ball with a spike below a roof of four faces: the spike turns into the roof, or behind its rim.
-TEST_P(CentreIntervalAttack, OfASpikeBelowARoof) {
+TEST_P(TheoremCentre, OfASpikeBelowARoof) {
   Dice random(12);
   CentreCounts counts;
   const std::size_t cases = random_cases() / 8;
@@ -150,7 +149,7 @@ TriangleMesh head_with_a_tip() {
 }
 
 // The tip crosses a sheet beside its rim: about other centres it may pass round that.
-TEST_P(CentreIntervalAttack, OfATipBesideARim) {
+TEST_P(TheoremCentre, OfATipBesideARim) {
   Dice random(13);
   CentreCounts counts;
   const std::size_t cases = random_cases() / 25;
@@ -171,7 +170,7 @@ TEST_P(CentreIntervalAttack, OfATipBesideARim) {
 
 // A threshold likewise. What was turned before the motion begins makes other centres shift the ball across
 // the plane of the turn too.
-TEST(CentreIntervalAttack, OfAThresholdBesideARim) {
+TEST(TheoremCentre, OfAThresholdBesideARim) {
   Dice random(16);
   std::size_t bounded = 0;
   const std::size_t cases = random_cases() / 25;
@@ -201,7 +200,7 @@ TEST(CentreIntervalAttack, OfAThresholdBesideARim) {
 
 // Three sheets with one border, which is none of the mesh: the tip crosses all three, and with play passes
 // beside them.
-TEST_P(CentreIntervalAttack, OfSheetsThatShareABorder) {
+TEST_P(TheoremCentre, OfSheetsThatShareABorder) {
   Dice random(14);
   CentreCounts counts;
   for (std::size_t k = 0; k < 50 && !HasFailure(); ++k) {
@@ -224,7 +223,7 @@ TEST_P(CentreIntervalAttack, OfSheetsThatShareABorder) {
 
 // The tip crosses a closed slab beside a sheet. In the plane of the turn the slab has an edge on its front
 // and none on its back: rays there meet two faces and one.
-TEST_P(CentreIntervalAttack, OfASlabWithAnEdgeInThePlaneOfTheTurn) {
+TEST_P(TheoremCentre, OfASlabWithAnEdgeInThePlaneOfTheTurn) {
   Dice random(15);
   CentreCounts counts;
   for (std::size_t k = 0; k < 50 && !HasFailure(); ++k) {
@@ -249,7 +248,7 @@ TEST_P(CentreIntervalAttack, OfASlabWithAnEdgeInThePlaneOfTheTurn) {
 }
 
 // The socket has no face but one whose plane holds the centre.
-TEST_P(CentreIntervalAttack, OfASocketThatIsEdgeOn) {
+TEST_P(TheoremCentre, OfASocketThatIsEdgeOn) {
   TriangleMesh wall;
   test::add_face(wall, {0, 20, 10}, {0, 20, -10}, {0, 30, 0});
   const TurnLimits limits({head_with_a_tip(), wall});

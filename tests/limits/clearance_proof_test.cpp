@@ -76,7 +76,7 @@ long winding(const TriangleMesh& mesh, const Vec3& x) {
   return std::lround(sum / (2.0 * kPi));
 }
 
-TEST(ClearanceProof, SaysOfRandomPosesWhatAllPairsOfFacesSay) {
+TEST(TheoremCertificate, SaysOfRandomPosesWhatAllPairsOfFacesSay) {
   std::map<Says, int> said;
   for (const double shift : {0.0, 5.0}) {
     for (const Pose& pose : test::random_poses(60, 1.8, shift, 5)) {
@@ -109,7 +109,7 @@ TEST(ClearanceProof, NamesTwoFacesThatCross) {
 }
 
 // Large triangles through each other's boxes: each pair that is apart has a plane.
-TEST(ClearanceProof, IsFoundForEverySoupThatIsClear) {
+TEST(TheoremCertificate, IsFoundForEverySoupThatIsClear) {
   std::map<Says, int> said;
   for (unsigned seed = 0; seed < 300; ++seed) {
     TriangleMesh ball = test::soup(3, seed);
@@ -222,7 +222,7 @@ double first_meeting(const JointTurn& turn) {
   return low;
 }
 
-TEST(ClearanceProof, OfATurnHoldsUpToContactAndNotBeyond) {
+TEST(TheoremCertificate, OfATurnHoldsUpToContactAndNotBeyond) {
   const JointTurn turn = joint_turn({.flexion = 60.0}, motion_name("internal_rotation"), Side::right);
   const double limit = first_meeting(turn);
   ASSERT_GT(limit, 5.0);

@@ -92,7 +92,7 @@ std::vector<double> angles_before(double limit) {
   return angles;
 }
 
-TEST(TurnContact, IsTheFirstThatCgalSees) {
+TEST(TheoremTurn, IsTheFirstThatCgalSees) {
   std::set<ContactKind> kinds;
   for (const Scene& scene : scenes()) {
     for (const Vec3& axis : test::random_directions(3, 3)) {
@@ -111,7 +111,7 @@ TEST(TurnContact, IsTheFirstThatCgalSees) {
 }
 
 // The same for the gaps of vertices: none is at the threshold before, some is at the angle.
-TEST(TurnContact, TheFirstGapOfAThreshold) {
+TEST(TheoremTurn, TheFirstGapOfAThreshold) {
   constexpr double kGap = 1.5;
   int found = 0;
   for (const Scene& scene : scenes()) {
@@ -206,7 +206,7 @@ TEST(TurnContact, OfFacesThatSlideInOnePlane) {
   EXPECT_LE(first->angle, kPi / 3.0);
 }
 
-TEST(Sinusoid, SpansHoldAllAnglesThatAreNearZero) {
+TEST(TheoremTurn, SpansHoldAllAnglesThatAreNearZero) {
   for (const Sinusoid& f :
        {Sinusoid{3, -4, 2}, Sinusoid{1, 0, 1}, Sinusoid{0, 0, 1e-4}, Sinusoid{0, 2, -1}}) {
     const AngleSpans spans = near_zero(f, 1e-3);

@@ -87,12 +87,12 @@ TurnLimit checked_gap(const Case& given, double gap, long double margin, Dice& r
 
 // Where a graze lasts, poses are asked for one by one, some milliseconds a case: four tests have a twentieth
 // of the cases each.
-class LongGrazeAttack : public testing::TestWithParam<unsigned> {};
+class TheoremTurnOfALongGraze : public testing::TestWithParam<unsigned> {};
 
-INSTANTIATE_TEST_SUITE_P(Quarters, LongGrazeAttack, testing::Range(0U, 4U));
+INSTANTIATE_TEST_SUITE_P(Quarters, TheoremTurnOfALongGraze, testing::Range(0U, 4U));
 
 // Faces of both slide over each other in one plane; a wall that stands across it comes later in the way.
-TEST_P(LongGrazeAttack, OfFacesThatSlideInOnePlane) {
+TEST_P(TheoremTurnOfALongGraze, OfFacesThatSlideInOnePlane) {
   Dice random(10 + GetParam());
   for (std::size_t k = 0; k < random_cases() / 20; ++k) {
     Case given;
@@ -112,7 +112,7 @@ TEST_P(LongGrazeAttack, OfFacesThatSlideInOnePlane) {
 
 // A corner at 25 mm passes another within some billionths, or meets it; right behind it, or farther, is a
 // pair of small faces that it runs into.
-TEST_P(LongGrazeAttack, OfAGrazeBeforeAContact) {
+TEST_P(TheoremTurnOfALongGraze, OfAGrazeBeforeAContact) {
   Dice random(20 + GetParam());
   for (std::size_t k = 0; k < random_cases() / 20; ++k) {
     Case given;
@@ -136,7 +136,7 @@ TEST_P(LongGrazeAttack, OfAGrazeBeforeAContact) {
 
 // A side of the socket that passes the centre at h, and a small face of the ball beyond it that turns into
 // the view of it: there its gap is far below every threshold, and nothing meets.
-TEST(TurnLimitAttack, OfAThresholdAtAJumpEdgeNextToTheCentre) {
+TEST(TheoremTurn, OfAThresholdAtAJumpEdgeNextToTheCentre) {
   Dice random(3);
   for (std::size_t k = 0; k < random_cases() / 5; ++k) {
     Case given;
@@ -160,7 +160,7 @@ TEST(TurnLimitAttack, OfAThresholdAtAJumpEdgeNextToTheCentre) {
 }
 
 // A patch of the ball that turns over a small face of the socket, at distances below the threshold and above.
-TEST(TurnLimitAttack, OfAThresholdBeyondAVertex) {
+TEST(TheoremTurn, OfAThresholdBeyondAVertex) {
   Dice random(4);
   std::size_t limited = 0;
   for (std::size_t k = 0; k < random_cases(); ++k) {
@@ -180,7 +180,7 @@ TEST(TurnLimitAttack, OfAThresholdBeyondAVertex) {
   EXPECT_GT(limited, random_cases() / 4);
 }
 
-TEST(TurnLimitAttack, OfLooseTriangles) {
+TEST(TheoremTurn, OfLooseTriangles) {
   Dice random(5);
   std::size_t limited = 0;
   const std::size_t cases = random_cases() / 2;

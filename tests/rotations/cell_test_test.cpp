@@ -95,7 +95,7 @@ bool holds(const TriangleMesh& mesh, const Vec3& x) {
 }
 
 // A head with a spike, and a wing that goes behind the wall of the socket; the bones are closed.
-TEST(CellTest, IsNeverWrongOfBonesWithAnInside) {
+TEST(TheoremVolume, IsNeverWrongOfBonesWithAnInside) {
   BallSocketPair joint{sphere(20.0, 60), cup(26.0, 70.0, 60)};
   joint.ball.vertices[5] *= 1.45;
   const TriangleMesh head = joint.ball;
@@ -128,14 +128,14 @@ TEST(CellTest, IsNeverWrongOfBonesWithAnInside) {
   EXPECT_GT(behind, 20U);
 }
 
-TEST(CellTest, IsNeverWrongOfAHip) {
+TEST(TheoremVolume, IsNeverWrongOfAHip) {
   const Hip hip = make_hip(hip_preset("cam"), 1500);
   const Asked asked = attack_by_radii({hip.ball, hip.socket});
   EXPECT_GT(asked.free, random_cases() / 20);
   EXPECT_GT(asked.blocked, random_cases() / 20);
 }
 
-TEST(CellTest, IsNeverWrongOfAPair) {
+TEST(TheoremVolume, IsNeverWrongOfAPair) {
   const Asked asked = attack_by_radii(make_ball_socket_pair(600, impinging_cam()));
   EXPECT_GT(asked.blocked, 0U);
 }
@@ -143,7 +143,7 @@ TEST(CellTest, IsNeverWrongOfAPair) {
 // A ball with a wide hole and narrow ones under a socket that it never touches. In every rotation of a free
 // cell each direction of the socket meets the ball, in every one of an unknown cell some direction does not:
 // by rays against all faces of the ball, along vertices and random points of the socket.
-TEST(CellTest, IsNeverWrongWhereTheBallEnds) {
+TEST(TheoremVolume, IsNeverWrongWhereTheBallEnds) {
   BallSocketPair joint{sphere(20.0, 1000), cup(26.0, 30.0, 300)};
   std::mt19937_64 engine(23);
   std::erase_if(joint.ball.faces, [&](const Face& face) {
@@ -278,7 +278,7 @@ TEST(RotationCells, HoldWhatTheyAreFoundFor) {
 }
 
 // The farthest of a fine grid of points of a cell, by the angle of the matrices.
-TEST(RotationCells, RadiusIsTheLeast) {
+TEST(TheoremVolume, RadiusIsTheLeast) {
   std::mt19937_64 engine(9);
   for (int round = 0; round < 30; ++round) {
     const RotationCell cell = random_cell(engine, 8);

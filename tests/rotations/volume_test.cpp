@@ -64,7 +64,7 @@ TEST(MotionVolume, OfAConeNeckIsThatOfItsTilt) {
 }
 
 // Random rotations asked of the exact overlay, of a hip without a symmetry.
-TEST(MotionVolume, BracketsTheShareOfRandomRotations) {
+TEST(TheoremVolume, BracketsTheShareOfRandomRotations) {
   const Hip hip = make_hip(hip_preset("cam"), 1000);
   const BallSocketPair joint{hip.ball, hip.socket};
   const MotionVolume volume(CellTest(joint), {.width = 0.15});
@@ -192,7 +192,7 @@ void attack_centres(const BallSocketPair& joint, double gap_mm) {
   EXPECT_GT(asked[1], random_cases() / 40);
 }
 
-TEST(MotionVolume, HoldsForEveryCentre) {
+TEST(TheoremVolume, HoldsForEveryCentre) {
   const Hip hip = make_hip(hip_preset("cam"), 1000);
   attack_centres({hip.ball, hip.socket}, 0.0);
   attack_centres({hip.ball, hip.socket}, 2.0);

@@ -56,7 +56,7 @@ bool comes_back(const S& scheme, const Arc& arc, int samples) {
   return false;
 }
 
-TEST(ArcBordersAttack, AnArcThatIsSaidToMeetCellsOnceDoes) {
+TEST(TheoremRim, AnArcThatIsSaidToMeetCellsOnceDoes) {
   constexpr std::size_t kSchemes = 13;
   test::every_scheme([]<class S>() {
     if constexpr (HasKnownBorders<S>) {

@@ -28,7 +28,7 @@ int exact_sign(const std::array<std::array<long, 3>, 3>& m) {
 
 // Integers of 40 bits: products of three need 120, far beyond a double. c = s a + t b + a last digit, so the
 // determinant is tiny beside its terms and the floating-point filter cannot decide.
-TEST(Orientation, DecidesNearlyCoplanarVectorsExactly) {
+TEST(TheoremSigns, DecidesNearlyCoplanarVectorsExactly) {
   std::mt19937_64 random(1);
   std::uniform_int_distribution<long> digit(-1, 1);
   std::uniform_int_distribution<long> small(-500, 500);
@@ -71,7 +71,7 @@ TEST(Orientation, DoesNotDependOnLength) {
   }
 }
 
-TEST(Orientation, TellsNeighbouringDoublesApart) {
+TEST(TheoremSigns, TellsNeighbouringDoublesApart) {
   const Vec3 a(1.0, 0.1, 0.2);
   const Vec3 b(0.3, 1.0, 0.7);
   const Vec3 on = a + b;  // rounded, so not exactly in the plane; its neighbours straddle it
@@ -107,7 +107,7 @@ int exact_sign(const std::array<Point, 4>& p) {
 }
 
 // d = a + s (b - a) + t (c - a), moved by at most one unit: coplanar or nearly so.
-TEST(PlaneSide, DecidesNearlyCoplanarPointsExactly) {
+TEST(TheoremSigns, DecidesNearlyCoplanarPointsExactly) {
   std::mt19937_64 random(1);
   std::uniform_int_distribution<long> digit(-1, 1);
   std::uniform_int_distribution<long> small(-200, 200);
@@ -145,7 +145,7 @@ TEST(PlaneSide, OfTheCentreIsTheOppositeOfTheOrientation) {
 }
 
 // Two edges through points p and s p of one ray; a unit of the last place decides where they nearly meet.
-TEST(Crossing, TellsWhichEdgeIsFarther) {
+TEST(TheoremSigns, TellsWhichEdgeIsFarther) {
   const Vec3 ray(0.3, -0.2, 0.9);
   const Vec3 along(1.0, 0.5, 0.1);
   const Vec3 across(-0.2, 1.0, 0.4);

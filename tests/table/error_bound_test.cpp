@@ -84,7 +84,7 @@ void expect_bounds(const std::array<Probed, 4>& bodies, const Probed& socket, do
   measure(socket, scheme);
 }
 
-TEST(ErrorBound, HoldsOnBodiesOfAllKinds) {
+TEST(TheoremSlope, HoldsOnBodiesOfAllKinds) {
   const BallSocketPair pair = make_ball_socket_pair(1000);
   // Its edges do not lie on grid lines, where the error is zero.
   const TriangleMesh tilted = test::askew(octahedron(20.0));
@@ -172,7 +172,7 @@ double largest_share_of_bounds(const TriangleMesh& mesh, const S& scheme) {
   return largest;
 }
 
-TEST(SchemeBounds, OfDirectionsHoldAndSayMuch) {
+TEST(TheoremSlope, OfDirectionsHoldAndSayMuch) {
   const TriangleMesh mesh = slanted_cone();
   test::every_scheme([&]<class S>() {
     SCOPED_TRACE(S::name);
@@ -227,7 +227,7 @@ std::vector<double> of_inverse_depths(const TriangleMesh& mesh) {
 
 double median(const std::vector<double>& sorted) { return sorted.at(sorted.size() / 2); }
 
-TEST(DirectionBounds, HoldInEveryDirectionForBothInterpolants) {
+TEST(TheoremTable, HoldInEveryDirectionForBothInterpolants) {
   for (const TriangleMesh& mesh : {make_ball_socket_pair(100).ball, test::askew(cone())}) {
     of_radii<CubeGnomonic>(mesh);
     of_inverse_depths(mesh);

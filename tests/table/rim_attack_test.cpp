@@ -173,12 +173,12 @@ std::size_t attack(const S& scheme, Dice& dice) {
 }
 
 // Every second scheme, so that two cores share them: a case takes a millisecond.
-class RimAttack : public testing::TestWithParam<std::size_t> {};
+class TheoremRimAttack : public testing::TestWithParam<std::size_t> {};
 
-INSTANTIATE_TEST_SUITE_P(Schemes, RimAttack, testing::Values(0, 1),
+INSTANTIATE_TEST_SUITE_P(Schemes, TheoremRimAttack, testing::Values(0, 1),
                          [](const auto& of) { return of.param == 0 ? "Even" : "Odd"; });
 
-TEST_P(RimAttack, NoTangentialEdgePokesIntoACellThatAnswers) {
+TEST_P(TheoremRimAttack, NoTangentialEdgePokesIntoACellThatAnswers) {
   std::size_t schemes = 0;
   bool borders_known = false;  // of any; a scheme that tells none answers nowhere near an edge
   test::every_scheme([&]<class S>() {
@@ -232,7 +232,7 @@ void attack_silent(std::size_t cases) {
   EXPECT_GT(answers, cases) << S::name;
 }
 
-TEST(SilentRimAttack, NorIntoOneOfASchemeThatSaysNothingAboutBorders) {
+TEST(TheoremRimUntold, NorIntoOneOfASchemeThatSaysNothingAboutBorders) {
   attack_silent<Rsid>(random_cases() / 2);
   attack_silent<LatitudeRows>(random_cases() / 2);
 }

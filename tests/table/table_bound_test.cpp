@@ -178,7 +178,7 @@ void expect_bound(const Scene& scene, const Table& table, const std::vector<Vec3
   EXPECT_GE(bound.a_priori_mm, bound.bound_mm * (1.0 - 1e-12)) << what;
 }
 
-TEST(TableBound, HoldsAndIsTightForEverySchemeAndInterpolant) {
+TEST(TheoremTable, HoldsAndIsTightForEverySchemeAndInterpolant) {
   for (const Scene& scene : scenes()) {
     test::every_scheme([&]<class S>() {
       const S scheme = S::with_precision(6.0);
@@ -201,7 +201,7 @@ Scene roof(double off) {
 }
 
 // Before any patch is halved the bound holds as well, and may be used so.
-TEST(TableBound, HoldsAPriori) {
+TEST(TheoremTable, HoldsAPriori) {
   std::vector<Scene> all = scenes();
   for (const double off : {0.02, 0.05, 0.09, 0.15}) all.push_back(roof(off));
   for (const Scene& scene : all) {
@@ -222,7 +222,7 @@ TEST(TableBound, HoldsAPriori) {
 
 // Where theory is sharp the bound a priori is, too, so that no constant of it could be half as large: a kink
 // along the middle of cells costs its jump times h / 4, a face seen at a right angle r h^2 / 8 either way.
-TEST(TableBound, ItsConstantsAreTheLeastThereAre) {
+TEST(TheoremTable, ItsConstantsAreTheLeastThereAre) {
   const Rsid scheme = Rsid::with_precision(2.0);
   const Eigen::AngleAxisd half_a_cell(0.5 * scheme.spacing(), Vec3::UnitZ());
   const auto share = [&](const TriangleMesh& mesh) {
@@ -262,7 +262,7 @@ TEST(TableBound, IsThatOfRoundingWhereTheInterpolantIsExact) {
 
 // What no search looks at. On a sphere of many small faces chords, and not slopes, are what inverse depths
 // cost: in the middle of a cell, half as far from a tap as the bound allows for, a fifth of the bound.
-TEST(TableBound, OfFirstOrderHoldsForBothInterpolants) {
+TEST(TheoremSlope, OfFirstOrderHoldsForBothInterpolants) {
   const auto share = [](const Scene& scene, const auto& table, const std::vector<Vec3>& probes) {
     return largest_share(scene, table, first_order_bound(scene.mesh, table), probes);
   };
@@ -310,7 +310,7 @@ struct NewWarp {
   static double coordinate(double a) { return std::atan(std::tan(kAngle) * a) / kAngle; }
 };
 
-TEST(TableBound, HoldsForAWarpOfWhichNothingMoreIsTold) {
+TEST(TheoremTable, HoldsForAWarpOfWhichNothingMoreIsTold) {
   using NewCube = CubeMap<NewWarp>;
   static_assert(PlaneExactScheme<NewCube> && !HasPatches<NewCube> && HasFlatPatches<NewCube>);
   for (const Scene& scene : scenes()) {
@@ -337,7 +337,7 @@ TEST(TableBound, OfASchemeWithoutPatchesIsOfFirstOrder) {
 
 // On a small face that is seen at 45 degrees the slope hardly changes, and the tap is as far away as it may
 // be: nine tenths of the bound would not do.
-TEST(TableBound, OfFirstOrderIsSharpWhereTheSlopeIsConstant) {
+TEST(TheoremSlope, OfFirstOrderIsSharpWhereTheSlopeIsConstant) {
   using Far = test::FarTap<CubeGnomonic>;
   const auto on_plane = [](double a, double b) -> Vec3 {  // through (0, 0, 20)
     return 20.0 * std::sqrt(2.0) / (a + b + std::sqrt(2.0)) * Vec3(a, b, 1.0);
@@ -364,7 +364,7 @@ using Exact = Eigen::Matrix<long double, 3, 1>;
 using test::Dice;
 
 // A face round a direction u, square to it but for 1e-12 to 1e-2 radians, and a cap about as small beside u.
-TEST(BoundRoundingAttack, APlaneSeenAtARightAngleHasItsSlope) {
+TEST(TheoremTable, APlaneSeenAtARightAngleHasItsSlope) {
   Dice dice(19);
   for (std::size_t k = 0; k < random_cases(); ++k) {
     const Vec3 u = dice.direction();
@@ -399,7 +399,7 @@ TEST(BoundRoundingAttack, APlaneSeenAtARightAngleHasItsSlope) {
 
 // Edges from 1e-9 to 1 radian, and a cap that the middle of the edge is only just in; sideways, where the
 // normal of the edge decides.
-TEST(BoundRoundingAttack, AShortEdgeMeetsACapThatItEnters) {
+TEST(TheoremTable, AShortEdgeMeetsACapThatItEnters) {
   Dice dice(19);
   for (std::size_t k = 0; k < random_cases(); ++k) {
     const Vec3 from = 20.0 * dice.direction();
