@@ -49,6 +49,7 @@ def section(jobs: list[Job], kept: Path) -> str:
     return (
         element("h2", "To check a claim", id="claims")
         + element("p", "Minutes: time budget of the quick profile on two cores, after the build, with no earlier results."
-                       " Expected: the verdicts of the reference run.")
+                       " Expected: the verdicts of the reference run. What the library calls proven, theorem by theorem, with"
+                       " the tests that attack it: " + element("code", "paper/claims.md") + ".")
         + element("div", table, class_="scroll")
     )

@@ -5,7 +5,7 @@
 // A face is an item like a vertex: its directions are within its cap and its radii in its range, so that the
 // bounds of contact/gap_bounds.hpp hold for every point of it, also where the pose makes it edge-on. A face
 // whose cap is clear reaches none of the faces that it shares a direction with. The others are compared
-// exactly with the faces that share a direction with them.
+// exactly with the faces that share a direction with them. Theorem 8 (caps).
 #pragma once
 
 #include <array>

@@ -2,9 +2,9 @@
 // Euclidean distances from points to a surface, in double, with proven ends.
 //
 // A tree of boxes (Eigen's KdBVH) finds the face with the least distance. contact/part_distance.hpp has a
-// distance from a face that is not above the true one but for 16 u D / kThin < 2e-13 D, D <= |x| + R, R the
+// distance from a face that is not above the true one but for 24 u D / kThin < 3e-13 D, D <= |x| + R, R the
 // farthest corner: where a face is thin it takes the error off. The other end is the distance from a point of
-// that face. The search skips boxes by distances that are off by a few u.
+// that face. The search skips boxes by distances that are off by a few u. Theorem 10 (distance).
 #pragma once
 
 #include <vector>

@@ -15,7 +15,7 @@
 // sums of cos b cos(angle) and sin b sin(angle), with bounds of the latter two by their series.
 //
 // With the limit of the other surface over that cap (contact/cap_limits.hpp) the gap, S - |x| for vertices of
-// the ball and |x| - B for those of the socket, is bounded below.
+// the ball and |x| - B for those of the socket, is bounded below. Theorem 8 (caps).
 //
 // Rounding. All is worked out in floats, e = 2^-24 of a result an operation, and what nearly cancels keeps
 // the rounding of its terms: slacks are shares of the terms, never of a result.

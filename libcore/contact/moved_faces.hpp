@@ -8,7 +8,7 @@
 //   by the grid of distances about it (contact/near_cells.hpp), or
 //   because they are nearer to the centre than it is along all rays near them (contact/least_radii.hpp),
 // and of what is left each face is tested with those whose boxes overlap its own. Runs whose middle is in a
-// cell of the surface come first, so that a pair that meets is soon found.
+// cell of the surface come first, so that a pair that meets is soon found. Theorem 9 (near).
 //
 // A pose of whole hip bones of 125,000 faces takes microseconds, where trees of boxes on both take hundreds:
 // next to none of the thousands of faces of the head that are a millimetre from the socket is looked at.

@@ -5,7 +5,7 @@
 // apart along an axis, no points of the two are nearer to each other than sqrt(n_x^2 + n_y^2 + n_z^2) cells.
 // The least of that over all cells that may hold a point of the surface comes of one pass along each axis,
 // for it is a sum. Of a point c outside of the grid and the point p of the grid nearest to it, every point s
-// of the surface has |c - s|^2 >= |c - p|^2 + |p - s|^2, as a box is convex.
+// of the surface has |c - s|^2 >= |c - p|^2 + |p - s|^2, as a box is convex. Theorem 9 (near).
 #pragma once
 
 #include <array>

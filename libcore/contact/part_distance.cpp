@@ -11,7 +11,7 @@
 namespace impinge {
 namespace {
 
-constexpr double kError = 16.0 * 0x1p-53;  // of D / k
+constexpr double kError = 24.0 * 0x1p-53;  // of D / k
 
 // Is the foot of x in the plane of the face outside of it, whatever the rounding of the normal?
 bool surely_outside(const Vec3& x, const TurnFace& face) {

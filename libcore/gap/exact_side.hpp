@@ -5,7 +5,7 @@
 // moved is first rounded to doubles by to_socket() or to_ball(), and these doubles are the point. Whether
 // the ray of x meets a face, boundary included, is a sign of orientation(), and whether x lies beyond the
 // face is one of plane_side(): no rounding enters the answer, however close x is. Which faces count, and what
-// a point at the centre means, is said in gap/overlay.hpp.
+// a point at the centre means, is said in gap/overlay.hpp. Theorem 1 (signs).
 #pragma once
 
 #include "gap/surface.hpp"

@@ -19,7 +19,7 @@
 // side of it. (A side in the same plane changes nothing: its ends belong to other sides, which cross.) A face
 // of the socket that holds the centre of the ball is within any face of the ball, s growing beyond all bounds
 // as y comes to the centre; a face of the ball that holds the centre of the socket is beyond another only
-// with its sides.
+// with its sides. Theorem 6 (overlay).
 #pragma once
 
 #include <array>

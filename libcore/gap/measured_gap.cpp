@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kSteps = 64.0 * 0x1p-53;       // of a radius over the cosine
 constexpr double kLengthSteps = 8.0 * 0x1p-53;  // of the length of the vertex
+constexpr double kMostError = 1.0 / 16.0;       // of a radius: up to there kSteps holds (measured_gap.gappa)
 
 // Of one face along u, which its cone contains.
 RadiusRange radius_range(const TriangleCone& cone, const Vec3& u) {
@@ -17,7 +18,7 @@ RadiusRange radius_range(const TriangleCone& cone, const Vec3& u) {
   const double error = kSteps * radius * (plane.normal.norm() * radius / plane.offset);
   RadiusRange corners;
   for (const Vec3& corner : cone.corners()) corners.include(corner.norm());
-  if (std::isinf(cone.largest_slope()) || !(error < corners.high)) return {0.0, corners.high};
+  if (std::isinf(cone.largest_slope()) || !(error < kMostError * radius)) return {0.0, corners.high};
   return {radius - error, radius + error};
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The gap of a vertex measured on the faces themselves, with a bound on its rounding: what a table cannot
-// prove, beside a rim or where a surface is seen nearly edge-on, a few faces can.
+// prove, beside a rim or where a surface is seen nearly edge-on, a few faces can. Theorem 5 (gap).
 //
 // The bound. TriangleCone::radius() errs by at most 60 u r / cos psi, u = 2^-53 and psi the angle between the
 // ray and the normal of the face (stress/measure.hpp derives it); 1 / cos psi = |n| r / (n . v0). kSteps
-// takes 64 for what is of second order. Of a face that is seen so nearly edge-on that no digit is certain the
+// takes 64 for what is of second order. Of a face that is seen so nearly edge-on that a 16th is uncertain the
 // radius is anything up to that of its farthest corner. Whether the ray of the vertex meets a face is decided
 // exactly, for the vertex as to_socket() or to_ball() rounds it. Its length and the difference add 8 u of it.
 #pragma once

@@ -55,7 +55,7 @@ class SurfaceOverlay {
   /// Meshes in their centre frames, mm; they are kept.
   SurfaceOverlay(TriangleMesh ball, TriangleMesh socket);
 
-  /// Is the pose impinged? Exact.
+  /// Is the pose impinged? Exact: Theorem 6 (overlay).
   bool impinged(const Pose& pose) const;
 
   /// The deepest of all places where (1) or (2) holds; none if and only if the pose is not impinged.

@@ -28,7 +28,7 @@
 // inside the other in all of them or in none, which one of its points tells. And a vertex that is inside
 // under R and farther than s from the surface is inside in all of them. Where a distance of g and less counts
 // as contact, surfaces farther than s + g apart are clear in all of them, and a vertex within g - s of the
-// other surface is in contact in all of them.
+// other surface is in contact in all of them. Theorem 11 (contact).
 #pragma once
 
 #include <cstdint>

@@ -36,7 +36,7 @@
 // is beyond m it is in the cone over the cap; it begins within the layer, and ends in a ball about p that
 // does not meet it and is beyond: it crosses the layer. So the gap is reached for every t and every d.
 // Likewise for a vertex of the socket within the farthest layer of the ball, with asin((r + s) / |y|). The
-// turn of the ray adds 2 g r / |p| to s.
+// turn of the ray adds 2 g r / |p| to s. Theorem 13 (centre).
 #pragma once
 
 #include <optional>

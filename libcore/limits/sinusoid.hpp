@@ -16,7 +16,7 @@
 
 namespace impinge {
 
-/// f(t) = cosine cos t + sine sin t + constant, t in radians.
+/// f(t) = cosine cos t + sine sin t + constant, t in radians. Theorem 12 (turn).
 struct Sinusoid {
   double cosine = 0.0;    // c
   double sine = 0.0;      // s

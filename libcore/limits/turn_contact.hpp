@@ -19,12 +19,12 @@
 // { k y : k >= 1 } beyond one of the socket, or { k x : 0 <= k <= 1 } within one of the ball. A vertex of the
 // socket with |y| <= t has such a gap as soon as its ray meets the ball at all: it is looked for no nearer to
 // the centre than half the way to the nearest point of the ball, where only walls are. What it finds is the
-// first angle at which the two scans of vertices have a gap of t or less.
+// first angle at which the two scans of vertices have a gap of t or less. Theorem 12 (turn).
 //
 // What rounding may do. With u = 2^-53 and R the largest radius: vertices are turned to the frame of the axis
-// and by the angle, within 20 u R each; distances of parts that are not thin are right to 16 u D / 1e-2 with
+// and by the angle, within 20 u R each; distances of parts that are not thin are right to 24 u D / 1e-2 with
 // D <= 2 R, others are not above the true ones (contact/part_distance.hpp); a pose that is rounded has its
-// vertices within 20 u R: 3500 u R = 4e-13 R together. The coefficients of a sinusoid are right to 20 u R
+// vertices within 20 u R: 4920 u R = 6e-13 R together. The coefficients of a sinusoid are right to 20 u R
 // times the lengths that it is a product of. So `tolerance()`, 1e-12 R, is above what rounding may hide, and
 // a sinusoid is asked for at twice of it. Parts nearer than twice the tolerance count as touching: no contact
 // comes before the angle that is returned, but it may be a false one where the parts pass as closely as that

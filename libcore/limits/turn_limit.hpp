@@ -26,7 +26,7 @@
 ///   the common centre of both surfaces off by t: d = (I - R) t         t . (I - R)^T n / |n . (w x p)|
 /// move the limit by that. The largest of either for d or t of 1 mm are `deg_per_mm` and `centre_deg_per_mm`;
 /// the second is at most 2 sin(theta / 2) times the first, theta the angle of R. But a limit jumps where a
-/// graze becomes a contact: centre_interval() holds for every centre.
+/// graze becomes a contact: centre_interval() holds for every centre. Theorem 12 (turn).
 #pragma once
 
 #include <array>

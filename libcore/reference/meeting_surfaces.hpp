@@ -20,7 +20,7 @@
 // So a contact without a common point is exactly one where the surfaces have slipped past each other: the
 // ball past the rim (it meets the wall), wholly beyond the socket, or round the socket as a whole. Without a
 // translation (1) and (2) are one statement, and only the last of the three is left: turned from a pose that
-// is clear, joints impinge first where the surfaces meet.
+// is clear, joints impinge first where the surfaces meet. Theorem 7 (slip).
 #pragma once
 
 #include "mesh/triangle_mesh.hpp"

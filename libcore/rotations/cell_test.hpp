@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// Is a joint free in all rotations near one, or blocked in all of them? Proven, for the surfaces and not
-/// only their vertices.
+/// only their vertices. Theorem 14 (volume).
 ///
 /// B is the ball's outermost radius along a direction, S the socket's innermost; a rotation R of the ball is
 /// blocked if B(R^T u) + gap >= S(u) in some direction u of both (gap/overlay.hpp). A rotation within rho of

@@ -10,7 +10,7 @@
 /// The free rotations are an open set, so that a way through them can be moved off the edges and corners of
 /// cells: it goes from cell to cell across common sides. Those that can be reached from the neutral pose
 /// without contact are at least the free cells that are joined to it so through free cells, and at most the
-/// cells that are joined through cells that are not blocked.
+/// cells that are joined through cells that are not blocked. Theorem 14 (volume).
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of doubles without rounding, for exact signs and for values rounded once.
+// Sums of doubles without rounding, for exact signs and for values rounded once. Theorem 1 (signs).
 #pragma once
 
 #include <array>

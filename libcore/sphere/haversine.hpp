@@ -6,7 +6,7 @@
 
 namespace impinge {
 
-/// For an angle in [0, pi], radians; within 4e-16 of the value, relative up to pi / 2 and absolute beyond.
+/// For an angle in [0, pi], radians; within 7e-16 of the value, relative up to pi / 2 and absolute beyond.
 /// The polynomial interpolates hav(a) / a^2 at Chebyshev nodes, within 6e-18.
 inline double haversine(double angle) {
   const bool obtuse = angle > 0.5 * kPi;

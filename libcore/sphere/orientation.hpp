@@ -14,7 +14,7 @@ namespace impinge {
 /// Sign of det(a, b, c) = a . (b x c): +1, 0 or -1, exact for finite input. A floating-point filter decides
 /// all but nearly coplanar cases, an expansion (Shewchuk 1997, "Adaptive precision floating-point
 /// arithmetic") the rest. Each vector is scaled by a power of two first; exactness is lost only where the
-/// components of one vector differ by more than a factor of about 2^300.
+/// components of one vector differ by more than a factor of about 2^300. Theorem 1 (signs).
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Where does u lie in the cone over a triangle whose corners have the orientation `side`? Inside +1, on the

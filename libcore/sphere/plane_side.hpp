@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // On which side of the plane of a face does a point lie, and which of two crossing edges is farther from the
-// centre: the same sign of four points, taken exactly.
+// centre: the same sign of four points, taken exactly. Theorem 1 (signs).
 #pragma once
 
 #include "sphere/direction.hpp"

@@ -13,7 +13,7 @@ namespace impinge {
 inline double nearest_whole(double x) { return (x + 0x1.8p52) - 0x1.8p52; }
 
 /// Cosine and sine of 2 pi `turns`, |turns| < 2^49: within 3e-16, multiples of a quarter turn exact. The
-/// polynomials interpolate at Chebyshev nodes an eighth of a turn to either side of a quarter, within 2e-17.
+/// polynomials interpolate at Chebyshev nodes an eighth of a turn to either side of a quarter, within 4e-17.
 inline CosSin turn_angle(double turns) {
   const double part = turns - nearest_whole(turns);
   const double quarter = nearest_whole(4.0 * part);  // -2 ... 2

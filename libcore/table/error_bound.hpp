@@ -13,7 +13,7 @@
 // (1 + T) by the choice of its plane (sphere/face_plane.hpp), u = 2^-53. So the entry and the radius along u
 // are each off by 84 u (1 + T) of themselves, tan psi by 80 u (1 + T), the look-up by 17 u. The bound adds
 // 512 u (1 + T_i) r_i exp(T_i s), which covers its own rounding up to s = 3, and widens s by
-// direction_doubt().
+// direction_doubt(). Theorem 3 (slope).
 #pragma once
 
 #include <cmath>

@@ -28,7 +28,7 @@
 // This requires that a layer's radius is continuous on the cell (no rim, rim.hpp) and changes from face to
 // face at their edges alone: not where two faces that overlap in the view are both within its range. The
 // layer's radius is within r exp(+-T way) of that of a corner, T the largest tan psi of the faces in that
-// range, so that a face out of range is none of the layer's.
+// range, so that a face out of range is none of the layer's. Theorem 2 (table).
 //
 // Roundings are added. With u = 2^-53 and k the largest condition of the faces (kPlaneRoundings in
 // surface_plane.hpp), in shares of the largest radius r of the layer:

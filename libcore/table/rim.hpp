@@ -7,7 +7,7 @@
 // other. A part shorter than kRimPlace is not halved any more: a border that bends by k cuts less than k
 // kRimPlace^2 off it. Each edge is followed twice, at kBesideEdge on either side, against rounding. The only
 // cell that may be missed is narrower than that and runs along the edge; its neighbours read across it and
-// it is marked with them.
+// it is marked with them. Theorem 4 (rim).
 //
 // In a scheme that does not declare the borders of its cells, entries beside an edge lose their surface.
 #pragma once
