@@ -45,12 +45,16 @@ void run_contact(const BenchmarkScene& scene, std::span<const MadeContact> metho
 /// Does the exact test of every vertex find one that is impinged?
 bool any_impinged(const CulledJoint& joint, const Pose& pose);
 
-/// Gaps to the faces, mm; NaN where the other surface is not met.
+/// Gaps to the faces, mm, by the exact reference (reference/exact_radius.hpp); NaN where the other surface is
+/// not met.
 struct ExactGaps {
   std::vector<double> ball;
   std::vector<double> socket;
 };
-ExactGaps exact_gaps(const CulledJoint& joint, const Pose& pose);
+ExactGaps exact_gaps(const BallSocketPair& pair, const Pose& pose);
+
+/// Largest difference of the gaps that the library calls exact, mm, over vertices that both answer.
+double own_difference(const CulledJoint& joint, const ExactGaps& exact, const Pose& pose);
 
 /// Largest error of a gap, mm; a vertex without an answer has none. std::runtime_error where it is larger
 /// than a table allows.

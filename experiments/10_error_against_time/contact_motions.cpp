@@ -9,6 +9,7 @@
 
 #include "10_error_against_time/contact.hpp"
 #include "methods/pose_set.hpp"
+#include "reference/exact_radius.hpp"
 #include "sphere/infinity.hpp"
 #include "sphere/uniform_directions.hpp"
 
@@ -112,13 +113,29 @@ bool any_impinged(const CulledJoint& joint, const Pose& pose) {
   });
 }
 
-ExactGaps exact_gaps(const CulledJoint& joint, const Pose& pose) {
-  ExactGaps gaps;
-  for (const Vec3& v : joint.meshes().ball.vertices)
-    gaps.ball.push_back(joint.gap(Surface::ball, to_socket(pose, v)));
-  for (const Vec3& v : joint.meshes().socket.vertices)
-    gaps.socket.push_back(joint.gap(Surface::socket, to_ball(pose, v)));
-  return gaps;
+ExactGaps exact_gaps(const BallSocketPair& pair, const Pose& pose) {
+  const auto of = [&](Surface scanned) {
+    std::vector<Vec3> moved;
+    for (const Vec3& v : mesh_of(pair, scanned).vertices) moved.push_back(to_other(scanned, pose, v));
+    const Surface asked = other(scanned);
+    std::vector<double> gaps = exact_radii(mesh_of(pair, asked), {moved, facing_layer(asked), {}});
+    for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] = signed_gap(scanned, gaps[i], moved[i].norm());
+    return gaps;
+  };
+  return {of(Surface::ball), of(Surface::socket)};
+}
+
+double own_difference(const CulledJoint& joint, const ExactGaps& exact, const Pose& pose) {
+  double largest = 0.0;
+  for (const Surface scanned : kSurfaces) {
+    const std::vector<Vec3>& vertices = mesh_of(joint.meshes(), scanned).vertices;
+    const std::vector<double>& gaps = scanned == Surface::ball ? exact.ball : exact.socket;
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      const double off = std::abs(joint.gap(scanned, to_other(scanned, pose, vertices[i])) - gaps[i]);
+      if (off > largest) largest = off;  // a NaN is not larger
+    }
+  }
+  return largest;
 }
 
 double gap_error(const MadeContact& made, const ExactGaps& exact, const Pose& pose) {

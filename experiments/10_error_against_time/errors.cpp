@@ -149,6 +149,16 @@ double mean_radius(const TriangleMesh& mesh) {
   return sum / static_cast<double>(mesh.vertices.size());
 }
 
+// About so many of the points are asked of both truths.
+constexpr std::size_t kComparedTruths = 1000;
+
+void compare_truths(BenchmarkProbes& probes) {
+  for (std::size_t k = 0; k < probes.points.size(); k += probes.points.size() / kComparedTruths + 1) {
+    const double apart = std::abs(probes.truth_at(probes.points[k]) - probes.truth[k]);
+    if (apart > probes.truth_apart) probes.truth_apart = apart;  // a NaN is not larger
+  }
+}
+
 double least_distance(const TriangleMesh& mesh, const Vec3& x) {
   double squared = std::numeric_limits<double>::infinity();
   for (const Face& face : mesh.faces) {
@@ -253,6 +263,7 @@ BenchmarkProbes radial_probes(const TriangleMesh& mesh, Layer layer, const Probe
   const auto caster = std::make_shared<const RayCaster>(mesh);
   probes.truth_at = [caster, layer](const Vec3& x) { return caster->cast(x.normalized(), layer); };
   probes.truth = exact_radii(mesh, {probes.points, layer, {}});
+  compare_truths(probes);
   return probes;
 }
 
@@ -265,6 +276,7 @@ BenchmarkProbes euclidean_probes(const TriangleMesh& mesh, double radius, const 
   for (Vec3& x : probes.points) x *= radius;
   probes.truth_at = [&mesh](const Vec3& x) { return least_distance(mesh, x); };
   probes.truth = closest_distances(mesh, {probes.points, {}});
+  compare_truths(probes);
   return probes;
 }
 

@@ -25,7 +25,8 @@ struct BenchmarkProbes {
   std::vector<double> truth;  // mm, NaN where there is no surface; by the exact reference
   // The truth at any other point, among all triangles in double.
   std::function<double(const Vec3&)> truth_at;
-  bool in_float = false;  // are all coordinates numbers in float?
+  double truth_apart = 0.0;  // largest difference of the two, mm, at about a thousand of the points
+  bool in_float = false;     // are all coordinates numbers in float?
 
   // The point, or the one in float that it is rounded to.
   Vec3 place(const Vec3& x) const { return in_float ? as_floats(x) : x; }

@@ -31,6 +31,7 @@ struct Measured {
   double build_s = 0.0;  // of the query, the first time
   BenchmarkErrors errors;
   MethodBound bound;
+  double truth_apart = 0.0;  // see BenchmarkProbes, mm
 };
 
 // Times of a method, in the order in which costs_of() asks for them.
@@ -52,7 +53,9 @@ void examine(Measured& measured, const BenchmarkScene& scene, const Truth& truth
   Stopwatch watch;
   measured.query = std::make_shared<const PointQuery>(measured.method.make());
   measured.build_s = watch.lap_s();
-  measured.errors = measure_errors(*measured.query, truth.of(measured.method.measure), options.ascent);
+  const BenchmarkProbes& probes = truth.of(measured.method.measure);
+  measured.errors = measure_errors(*measured.query, probes, options.ascent);
+  measured.truth_apart = probes.truth_apart;
   if (measured.method.bound) measured.bound = measured.method.bound(*measured.query);
   require_bound(measured.errors, measured.bound, {scene.name, measured.method.name, measured.method.setting});
 }
@@ -140,14 +143,26 @@ void add_spread(Table& table, const Measured& measured, const BenchmarkScene& sc
   const PointCase& method = measured.method;
   const BenchmarkErrors& errors = measured.errors;
   std::vector<Cell> row = key_of(measured, scene);
-  row.insert(row.end(),
-             {method.kind, method.scheme, method.precision_deg, method.interpolant, method.storage,
-              name_of(method.measure), cell_if(costs.build.summary.count > 1, costs.build.summary.iqr),
-              kNanoseconds * costs.warm.summary.iqr, kNanoseconds * costs.cold.summary.median,
-              kNanoseconds * costs.cold.summary.iqr, errors.directions, errors.false_hits,
-              kMicrometres * errors.uniform_max, kMicrometres * errors.feature_max,
-              kMicrometres * errors.adversarial_max, kMicrometres * measured.bound.attained_mm,
-              errors.max() / measured.bound.bound_mm, costs.warm.inconclusive, costs.warm.repeats});
+  row.insert(row.end(), {method.kind,
+                         method.scheme,
+                         method.precision_deg,
+                         method.interpolant,
+                         method.storage,
+                         name_of(method.measure),
+                         cell_if(costs.build.summary.count > 1, costs.build.summary.iqr),
+                         kNanoseconds * costs.warm.summary.iqr,
+                         kNanoseconds * costs.cold.summary.median,
+                         kNanoseconds * costs.cold.summary.iqr,
+                         errors.directions,
+                         errors.false_hits,
+                         kMicrometres * errors.uniform_max,
+                         kMicrometres * errors.feature_max,
+                         kMicrometres * errors.adversarial_max,
+                         kMicrometres * measured.bound.attained_mm,
+                         errors.max() / measured.bound.bound_mm,
+                         costs.warm.inconclusive,
+                         costs.warm.repeats,
+                         kMicrometres * measured.truth_apart});
   table.add_row(std::move(row));
 }
 
@@ -173,7 +188,7 @@ void run_benchmark(const BenchmarkScene& scene, const BenchmarkOptions& options,
   std::vector<Measured> all;
   progress.begin(static_cast<double>(methods.size()));
   for (const PointCase& method : methods) {
-    all.push_back({method, {}, 0.0, {}, {}});
+    all.push_back({method, {}, 0.0, {}, {}, 0.0});
     examine(all.back(), scene, truth, options);
     progress.advance(1.0, method.name + " " + method.setting);
   }
@@ -219,7 +234,9 @@ BenchmarkTables make_benchmark_tables() {
         "largest error that the proof of the bound met; empty where the bound is one of first order"},
        {"tightness", "1", "largest error divided by the bound"},
        {"inconclusive", "", "yes: query_ns says nothing, repeats included"},
-       {"repeats", "1", "times that it was timed again, alone, as it was inconclusive"}});
+       {"repeats", "1", "times that it was timed again, alone, as it was inconclusive"},
+       {"truths_apart_um", "um",
+        "largest difference of the truth in double, which the ways up climb by, from CGAL's exact one"}});
   return tables;
 }
 

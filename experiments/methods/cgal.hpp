@@ -7,9 +7,10 @@
 
 namespace impinge::lab {
 
-/// The first triangle that a ray from the centre meets. mesh in the centre frame; its triangles are copied.
-/// Bytes are those of the heap, see heap_use.hpp.
-PointQuery make_cgal_first_hit(const TriangleMesh& mesh);
+/// The first triangle that a ray from the centre meets, or, for the farthest layer, a ray to the centre from
+/// beyond the surface. mesh in the centre frame; its triangles are copied. Bytes are those of the heap, see
+/// heap_use.hpp.
+PointQuery make_cgal_first_hit(const TriangleMesh& mesh, Layer layer = Layer::nearest);
 /// Distance to the nearest point of the surface, mm, without a sign.
 PointQuery make_cgal_closest(const TriangleMesh& mesh);
 

@@ -43,6 +43,17 @@ GapCase point_gaps(const AskedSurface& surface, const PointCase& of) {
   return one;
 }
 
+std::vector<GapCase> table_gaps(const AskedSurface& surface, const std::vector<PointCase>& tables) {
+  std::vector<GapCase> cases;
+  for (const PointCase& table : tables) {
+    cases.push_back(point_gaps(surface, table));
+    cases.back().storage = "double";
+    cases.back().few = false;
+    if (table.bound) cases.back().bound = [bound = table.bound] { return bound({}).bound_mm; };
+  }
+  return cases;
+}
+
 std::string trimmed(double value) {
   std::string text = std::to_string(value);
   text.erase(text.find_last_not_of('0') + 1);

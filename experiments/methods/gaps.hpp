@@ -56,13 +56,18 @@ struct GapCase : Case {
   std::string storage = "none";    // double, float, uint16 or none
   bool kernel = false;             // does its time depend on the instruction set?
   bool few = false;                // so slow that only some of the points are asked
+  bool maskless = false;           // does it answer beyond the rim, on purpose?
   bool widely = false;             // also timed with two threads and with every instruction set
-  bool first_hit = false;          // answers the first face along a ray, whatever layer is asked
   std::function<GapQuery()> make;  // builds the table or tree
+  /// What is proven of its radii, mm, at points as far from the centre as the surface; empty if nothing is.
+  std::function<double()> bound = {};
 };
 
-/// A case of a library that is asked point by point.
+/// A case that is asked point by point; few of them, until the caller knows that it is fast.
 GapCase point_gaps(const AskedSurface& surface, const PointCase& of);
+
+/// Tables that are asked point by point, in double.
+std::vector<GapCase> table_gaps(const AskedSurface& surface, const std::vector<PointCase>& tables);
 
 /// Cells along an edge of a cube map that takes just less than 1 MiB with 16 bits an entry, and less than
 /// half of what RSID takes in double at half a degree.
@@ -70,9 +75,16 @@ inline constexpr std::size_t kMainCells = 291;
 
 /// At which sizes methods are tried.
 struct GapSizes {
-  std::vector<std::size_t> cube_cells;    // of cube maps: cells along an edge of the cube
-  std::vector<double> rsid_degrees;       // precisions
-  std::vector<double> usid_degrees = {};  // precisions
+  std::vector<std::size_t> cube_cells;  // of cube maps: cells along an edge of the cube
+  std::vector<double> stored_degrees;   // precisions of RSID in every storage, and by the scalar scan
+  std::vector<double> degrees = {};     // precisions of every line of the work-precision diagram
+  TableBenchmark bounds = {};           // how tightly tables are bounded; its precisions are not read
+
+  TableBenchmark of_lines() const {
+    TableBenchmark lines = bounds;
+    lines.precisions = degrees;
+    return lines;
+  }
 };
 
 /// A number as text without trailing zeros.

@@ -5,7 +5,9 @@
 // The library's scans: kernels with vector instructions on tables of several kinds and storages, the scalar
 // scan in double, and the least that a look-up can do.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <utility>
 
@@ -13,6 +15,7 @@
 #include "gap/simd/exact_cells.hpp"
 #include "methods/floor_scan.hpp"
 #include "methods/gaps.hpp"
+#include "methods/kernel_bound.hpp"
 #include "methods/table_query.hpp"
 #include "table/exact_raster.hpp"
 
@@ -78,31 +81,83 @@ GapCase floor_case(std::size_t cells) {
   });
 }
 
-GapCase exact_case(const AskedSurface& s, int cells) {
-  return kernel_case({"cube_cells_exact", "exact cells"}, std::to_string(cells) + "/face", "float",
-                     [s, cells] { return kernel(exact_cells(s.mesh, s.layer, cells), s.scanned); });
+KernelReach reach_of(const TriangleMesh& mesh) {
+  double radius = 0.0;
+  for (const Vec3& v : mesh.vertices) radius = std::max(radius, v.norm());
+  return {radius, std::max(radius, kReach)};
 }
 
-void add_cubes(const AskedSurface& s, std::size_t cells, std::vector<GapCase>& cases) {
-  const auto filled = [s, cells] { return filled_cube(s, cells); };
-  cases.push_back(kernel_case(kCube, cells_text(cells), "uint16",
-                              [=] { return kernel(packed_table<std::uint16_t>(filled()), s.scanned); }));
-  cases.push_back(kernel_case(kCube, cells_text(cells), "float",
-                              [=] { return kernel(packed_table<float>(filled()), s.scanned); }));
+// u (18 r + 8 |gap|), see exact_cells.hpp, which is silent about faces that are steeper than this.
+constexpr double kSteepest = 1e8;
+
+GapCase exact_case(const AskedSurface& s, int cells) {
+  GapCase one = kernel_case({"cube_cells_exact", "exact cells"}, std::to_string(cells) + "/face", "float",
+                            [s, cells] { return kernel(exact_cells(s.mesh, s.layer, cells), s.scanned); });
+  one.bound = [s] {
+    const bool steep = std::ranges::any_of(s.mesh.faces, [&](const Face& face) {
+      const TriangleCone cone = cone_of(s.mesh, face);
+      return !cone.edge_on() && cone.largest_slope() > kSteepest;
+    });
+    const KernelReach reach = reach_of(s.mesh);
+    return steep ? MethodBound{}.bound_mm : 0x1p-24 * (26.0 * reach.radius + 8.0 * reach.point);
+  };
+  return one;
+}
+
+// A kernel of a table, with what is proven of both.
+template <class Value, SamplingScheme S>
+GapCase bounded_case(const AskedSurface& s, const GapSizes& sizes, const Kind& kind, std::string setting,
+                     const S& scheme) {
+  const auto filled = [s, scheme] { return fill_exact(s.mesh, scheme, s.layer); };
+  const char* const storage = std::same_as<Value, double>  ? "double"
+                              : std::same_as<Value, float> ? FloatValues::name.data()
+                                                           : Uint16Values::name.data();
+  GapCase one = kernel_case(kind, std::move(setting), storage,
+                            [=] { return kernel(packed_table<Value>(filled()), s.scanned); });
+  one.bound = [s, scheme, filled, bounds = sizes.bounds] {
+    const RadialTable<S> table = filled();
+    double bound = 0.0;
+    if constexpr (std::same_as<S, CubeGnomonic>)
+      bound = bound_of(s.mesh, s.layer, InverseDepthTable<S>(table), bounds).bound_mm;
+    else
+      bound = bound_of(s.mesh, s.layer, table, bounds).bound_mm;
+    return bound + kernel_doubt(packed_table<Value>(table), 90.0 / scheme.precision_deg(), reach_of(s.mesh));
+  };
+  return one;
+}
+
+// Without the mask of its rim: what that costs, and what is wrong without it.
+GapCase maskless_case(const AskedSurface& s, std::size_t cells) {
+  const auto make = [s, cells] {
+    auto table = packed_table<std::uint16_t>(filled_cube(s, cells));
+    table.none.clear();
+    return kernel(std::move(table), s.scanned);
+  };
+  GapCase one = kernel_case({"cube_no_mask", "cube kernel without mask"}, cells_text(cells), "uint16", make);
+  one.maskless = true;
+  return one;
+}
+
+void add_cubes(const AskedSurface& s, const GapSizes& sizes, std::vector<GapCase>& cases) {
+  for (const std::size_t cells : sizes.cube_cells) {
+    cases.push_back(bounded_case<std::uint16_t>(s, sizes, kCube, cells_text(cells), cube_of(cells)));
+    cases.push_back(bounded_case<float>(s, sizes, kCube, cells_text(cells), cube_of(cells)));
+  }
+  for (const double precision : sizes.degrees) {
+    const auto cells = static_cast<std::size_t>(std::round(90.0 / precision));
+    if (std::ranges::find(sizes.cube_cells, cells) == sizes.cube_cells.end())
+      cases.push_back(bounded_case<std::uint16_t>(s, sizes, kCube, cells_text(cells), cube_of(cells)));
+    if (std::ranges::find(sizes.stored_degrees, precision) != sizes.stored_degrees.end())
+      cases.push_back(maskless_case(s, cells));
+  }
 }
 
 // A grid of radii: the library's scan, one vertex at a time, and the kernels.
 template <SamplingScheme S>
-void add_scheme(const AskedSurface& s, const std::string& label, double precision,
-                std::vector<GapCase>& cases) {
-  const auto filled = [s, precision] { return fill_exact(s.mesh, S::with_precision(precision), s.layer); };
-  const std::string name(S::name);
-  const std::string setting = trimmed(precision) + "deg";
-  const auto add = [&](const Kind& kind, const char* storage, std::function<GapQuery()> make) {
-    cases.push_back(kernel_case(kind, setting, storage, std::move(make)));
-  };
-  add({name + "_scalar", label + ", scalar"}, "double", [=] {
-    const auto table = std::make_shared<const RadialTable<S>>(filled());
+GapCase scalar_case(const AskedSurface& s, const std::string& label, const S& scheme, std::string setting) {
+  const Kind kind{std::string(S::name) + "_scalar", label + ", scalar"};
+  GapCase one = kernel_case(kind, std::move(setting), "double", [=] {
+    const auto table = std::make_shared<const RadialTable<S>>(fill_exact(s.mesh, scheme, s.layer));
     const auto scan = [table, scanned = s.scanned](const AskedPoints& asked, const Pose& pose,
                                                    GapScratch& scratch) {
       scratch.doubles.resize(asked.points.size());
@@ -110,11 +165,26 @@ void add_scheme(const AskedSurface& s, const std::string& label, double precisio
     };
     return GapQuery{scan, static_cast<double>(table->bytes())};
   });
-  cases.back().kernel = false;
-  const Kind kind{name, label + " kernel"};
-  add(kind, "double", [=] { return kernel(packed_table<double>(filled()), s.scanned); });
-  add(kind, "float", [=] { return kernel(packed_table<float>(filled()), s.scanned); });
-  add(kind, "uint16", [=] { return kernel(packed_table<std::uint16_t>(filled()), s.scanned); });
+  one.kernel = false;
+  return one;
+}
+
+template <SamplingScheme S>
+void add_scheme(const AskedSurface& s, const std::string& label, const GapSizes& sizes,
+                std::vector<GapCase>& cases) {
+  std::vector<double> all = sizes.degrees;
+  for (const double precision : sizes.stored_degrees)
+    if (std::ranges::find(all, precision) == all.end()) all.push_back(precision);
+  const Kind kind{std::string(S::name), label + " kernel"};
+  for (const double precision : all) {
+    const S scheme = S::with_precision(precision);
+    const std::string setting = trimmed(precision) + "deg";
+    cases.push_back(bounded_case<float>(s, sizes, kind, setting, scheme));
+    if (std::ranges::find(sizes.stored_degrees, precision) == sizes.stored_degrees.end()) continue;
+    cases.push_back(scalar_case(s, label, scheme, setting));
+    cases.push_back(bounded_case<double>(s, sizes, kind, setting, scheme));
+    cases.push_back(bounded_case<std::uint16_t>(s, sizes, kind, setting, scheme));
+  }
 }
 
 std::vector<GapCase> kernel_cases(const AskedSurface& surface, const GapSizes& sizes) {
@@ -122,9 +192,9 @@ std::vector<GapCase> kernel_cases(const AskedSurface& surface, const GapSizes& s
   cases.reserve(kFloorCells.size() + 2);
   for (const std::size_t cells : kFloorCells) cases.push_back(floor_case(cells));
   for (const int cells : {4, 1}) cases.push_back(exact_case(surface, cells));
-  for (const std::size_t cells : sizes.cube_cells) add_cubes(surface, cells, cases);
-  for (const double precision : sizes.rsid_degrees) add_scheme<Rsid>(surface, "RSID", precision, cases);
-  for (const double precision : sizes.usid_degrees) add_scheme<Usid>(surface, "USID", precision, cases);
+  add_cubes(surface, sizes, cases);
+  add_scheme<Rsid>(surface, "RSID", sizes, cases);
+  if (!sizes.degrees.empty()) add_scheme<Usid>(surface, "USID", sizes, cases);
   return cases;
 }
 

@@ -32,24 +32,24 @@ PointQuery table_query(Table filled) {
   return query;
 }
 
-// Proven bounds of tables that are filled exactly from the surface of a scene.
+// Proven bounds of tables that are filled exactly from a mesh.
 
 /// The name of a precision (degrees) in results, such as "0.5deg".
 inline std::string degrees_text(double precision) { return Cell(precision).text() + "deg"; }
 
-/// The table of a precision (degrees) for the layer that scenes ask; mesh in the centre frame.
+/// The table of a precision (degrees); mesh in the centre frame, and the layer of it that is asked.
 template <SamplingScheme S>
-RadialTable<S> exact_radii_of(const TriangleMesh& mesh, double precision) {
-  return fill_exact(mesh, S::with_precision(precision), BenchmarkScene::kLayer);
+RadialTable<S> exact_radii_of(const TriangleMesh& mesh, double precision, Layer layer) {
+  return fill_exact(mesh, S::with_precision(precision), layer);
 }
 
 template <class Table>
-MethodBound bound_of(const BenchmarkScene& scene, const Table& table, const TableBenchmark& bench) {
-  if (table.scheme().size() <= bench.most_entries && scene.surface().faces.size() <= bench.most_faces) {
-    const TableBound found = table_bound(scene.surface(), table, BenchmarkScene::kLayer, bench.search);
+MethodBound bound_of(const TriangleMesh& mesh, Layer layer, const Table& table, const TableBenchmark& bench) {
+  if (table.scheme().size() <= bench.most_entries && mesh.faces.size() <= bench.most_faces) {
+    const TableBound found = table_bound(mesh, table, layer, bench.search);
     return {found.bound_mm, found.attained_mm};
   }
-  return {first_order_bound(scene.surface(), table).bound_mm};
+  return {first_order_bound(mesh, table).bound_mm};
 }
 
 }  // namespace impinge::lab

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @can     points
-// @links   gap
+// @can     points gaps
+// @links   gap gap_queries
 //
 // Every scheme of every precision it can have, in double, float and 16 bits; those whose entries lie on a
-// solid also with inverse depths, as SCHEME_mesh_exact. Filled exactly.
+// solid also with inverse depths, as SCHEME_mesh_exact. Filled exactly. All gaps of a pose by two of them.
 
 #include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "methods/gaps.hpp"
 #include "methods/table_query.hpp"
 #include "sphere/scheme_list.hpp"
 #include "sphere/stored_table.hpp"
@@ -28,7 +29,8 @@ SharedBound once(std::function<MethodBound()> work) {
 
 // What the cases of one table share.
 struct TableCase {
-  const BenchmarkScene& scene;
+  const TriangleMesh& mesh;
+  Layer layer;
   TableBenchmark bench;
   double precision = 0.0;
   std::string_view scheme;
@@ -49,8 +51,8 @@ struct TableCase {
     one.in_float = storage == FloatValues::name;
     // Steps of one size are an error without relative bound.
     if (storage != Uint16Values::name) one.stability = one.name;
-    one.make = [&mesh = scene.surface(), precision = precision, fill] {
-      return table_query(Table(fill(mesh, precision)));
+    one.make = [&mesh = mesh, layer = layer, precision = precision, fill] {
+      return table_query(Table(fill(mesh, precision, layer)));
     };
     one.bound = [bound = bound](const PointQuery& query) {
       MethodBound of_double = bound();
@@ -63,8 +65,8 @@ struct TableCase {
 
 template <class Table, class Float, class Uint16, class Source>
 void add_storages(std::vector<PointCase>& cases, TableCase now, const Source& fill) {
-  now.bound = once([&scene = now.scene, precision = now.precision, bench = now.bench, fill] {
-    return bound_of(scene, Table(fill(scene.surface(), precision)), bench);
+  now.bound = once([&mesh = now.mesh, layer = now.layer, precision = now.precision, bench = now.bench, fill] {
+    return bound_of(mesh, layer, Table(fill(mesh, precision, layer)), bench);
   });
   cases.push_back(now.stored<Table>("double", fill));
   cases.push_back(now.stored<Float>(FloatValues::name, fill));
@@ -91,10 +93,24 @@ Method tables_method() {
     for_each_scheme([&]<class S>() {
       for (const double precision : sizes.tables.precisions) {
         if (scheme_of_precision<S>(precision))
-          add_scheme<S>(cases, {scene, sizes.tables, precision, {}, false, {}});
+          add_scheme<S>(cases,
+                        {scene.surface(), BenchmarkScene::kLayer, sizes.tables, precision, {}, false, {}});
       }
     });
     return cases;
+  };
+  method.gaps = [](const AskedSurface& surface, const GapSizes& sizes) {
+    std::vector<PointCase> cases;
+    for (const double precision : sizes.degrees) {
+      const TableCase now{surface.mesh, surface.layer, sizes.bounds, precision, {}, false, {}};
+      add_scheme<Conchoid>(cases, now);
+      add_scheme<IcosahedralGnomonic>(cases, now);
+    }
+    std::erase_if(cases, [](const PointCase& one) {
+      const bool flat = one.scheme == IcosahedralGnomonic::name;
+      return one.storage != "double" || (one.interpolant == "mesh_exact") != flat;
+    });
+    return table_gaps(surface, cases);
   };
   return method;
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @can     points
-// @links   gap thesis_forms
+// @can     points gaps
+// @links   gap gap_queries thesis_forms
 //
 // Methods rsid_thesis and usid_thesis: the tables of the thesis, filled as the thesis does, in double.
 
 #include <utility>
 
 #include "mesh/star_shape.hpp"
+#include "methods/gaps.hpp"
 #include "methods/table_query.hpp"
 #include "methods/thesis_fills.hpp"
 #include "sphere/schemes/usid.hpp"
@@ -17,7 +18,7 @@ namespace {
 // One of the thesis' ways of filling. Its entries are off by at most `entry_bound` inside of a surface that
 // continues across each edge, and a look-up mixes them with weights that sum to 1.
 template <SamplingScheme S>
-PointCase thesis_case(const BenchmarkScene& scene, const TableBenchmark& bench, double precision,
+PointCase thesis_case(const TriangleMesh& mesh, Layer layer, const TableBenchmark& bench, double precision,
                       RadialTable<S> (*fill)(const TriangleMesh&, const S&, Layer),
                       std::function<double()> entry_bound) {
   PointCase one;
@@ -29,13 +30,12 @@ PointCase thesis_case(const BenchmarkScene& scene, const TableBenchmark& bench, 
   one.precision_deg = precision;
   one.interpolant = "smooth";
   one.storage = "double";
-  one.make = [&mesh = scene.surface(), precision, fill] {
-    return table_query(fill(mesh, S::with_precision(precision), BenchmarkScene::kLayer));
+  one.make = [&mesh, layer, precision, fill] {
+    return table_query(fill(mesh, S::with_precision(precision), layer));
   };
-  one.bound = [&scene, bench, precision, entry_bound = std::move(entry_bound)](const PointQuery&) {
-    const TriangleMesh& surface = scene.surface();
-    if (!star_shape(surface).star_shaped) return MethodBound{};
-    MethodBound bound = bound_of(scene, exact_radii_of<S>(surface, precision), bench);
+  one.bound = [&mesh, layer, bench, precision, entry_bound = std::move(entry_bound)](const PointQuery&) {
+    if (!star_shape(mesh).star_shaped) return MethodBound{};
+    MethodBound bound = bound_of(mesh, layer, exact_radii_of<S>(mesh, precision, layer), bench);
     bound.bound_mm += entry_bound();
     bound.attained_mm = MethodBound{}.attained_mm;  // by an exact filling, not by this one
     return bound;
@@ -43,20 +43,26 @@ PointCase thesis_case(const BenchmarkScene& scene, const TableBenchmark& bench, 
   return one;
 }
 
+std::vector<PointCase> thesis_cases(const TriangleMesh& mesh, Layer layer, const TableBenchmark& bench) {
+  std::vector<PointCase> cases;
+  for (const double precision : bench.precisions) {
+    cases.push_back(thesis_case<Rsid>(mesh, layer, bench, precision, fill_thesis,
+                                      [&mesh] { return thesis_raster_bound(mesh); }));
+    cases.push_back(thesis_case<Usid>(mesh, layer, bench, precision, fill_resampled<Usid>,
+                                      [&mesh, precision] { return resampling_bound(mesh, precision); }));
+  }
+  return cases;
+}
+
 }  // namespace
 
 Method thesis_tables_method() {
   Method method;
   method.points = [](const BenchmarkScene& scene, const PointSizes& sizes) {
-    std::vector<PointCase> cases;
-    const TriangleMesh& mesh = scene.surface();
-    for (const double precision : sizes.tables.precisions) {
-      cases.push_back(thesis_case<Rsid>(scene, sizes.tables, precision, fill_thesis,
-                                        [&mesh] { return thesis_raster_bound(mesh); }));
-      cases.push_back(thesis_case<Usid>(scene, sizes.tables, precision, fill_resampled<Usid>,
-                                        [&mesh, precision] { return resampling_bound(mesh, precision); }));
-    }
-    return cases;
+    return thesis_cases(scene.surface(), BenchmarkScene::kLayer, sizes.tables);
+  };
+  method.gaps = [](const AskedSurface& surface, const GapSizes& sizes) {
+    return table_gaps(surface, thesis_cases(surface.mesh, surface.layer, sizes.of_lines()));
   };
   return method;
 }
