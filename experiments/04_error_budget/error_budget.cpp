@@ -8,7 +8,7 @@
 
 #include "harness/statistics.hpp"
 #include "mesh/edges.hpp"
-#include "table/pairwise.hpp"
+#include "reference/exact_radius.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -16,11 +16,9 @@ namespace {
 constexpr double kMicrometres = 1000.0;  // in a millimetre
 constexpr double kSameGap = 1e-11;       // mm; sums of differences of gaps are rounded less
 
-std::vector<double> cast_gaps(const TriangleMesh& socket, const std::vector<Vec3>& vertices) {
-  const RayCaster caster(socket);
-  std::vector<double> gaps;
-  gaps.reserve(vertices.size());
-  for (const Vec3& x : vertices) gaps.push_back(caster.cast(x.normalized(), Layer::nearest) - x.norm());
+std::vector<double> exact_gaps(const TriangleMesh& socket, const std::vector<Vec3>& vertices) {
+  std::vector<double> gaps = exact_radii(socket, {vertices, Layer::nearest, {}});
+  for (std::size_t i = 0; i < gaps.size(); ++i) gaps[i] -= vertices[i].norm();
   return gaps;
 }
 
@@ -76,8 +74,8 @@ std::vector<Stage> exact_stages(const BudgetJoint& joint) {
     for (const Vec3& x : vertices) truth.gap.push_back(joint.socket_radius(x.normalized()) - x.norm());
     stages.push_back(std::move(truth));
   }
-  stages.push_back({joint.socket_radius ? "mesh" : "", cast_gaps(joint.meshes.socket, vertices)});
-  stages.push_back({"centre", cast_gaps(socket_about_wrong_centre(joint), seen_from_wrong_centre(joint))});
+  stages.push_back({joint.socket_radius ? "mesh" : "", exact_gaps(joint.meshes.socket, vertices)});
+  stages.push_back({"centre", exact_gaps(socket_about_wrong_centre(joint), seen_from_wrong_centre(joint))});
   return stages;
 }
 

@@ -4,7 +4,7 @@
 // @writes-with-bones  error_budget_bones
 // @timing    no
 // @seconds   2 40
-// @links     harness real_joints table hip
+// @links     harness real_joints table hip reference
 //
 // The generated pair has a formula, so that the error of its mesh is measured; that of a real joint is
 // estimated from the angles between its faces. The centre that is wrong is the one that a sphere fitted to

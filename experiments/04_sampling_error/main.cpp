@@ -3,10 +3,10 @@
 // @writes    sampling_error sampling_error_proven sampling_error_sphere sampling_error_bounds
 // @timing    no
 // @seconds   11 320
-// @links     harness table
+// @links     harness table reference
 //
 // Eq. 7 is a distance along the surface. The distance that matters is that of the radius: it is measured on
-// the generated head of 44 mm.
+// the generated head of 44 mm, against CGAL's exact arithmetic.
 
 #include <array>
 #include <concepts>

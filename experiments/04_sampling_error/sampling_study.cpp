@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "mesh/generated_pair.hpp"
-#include "table/pairwise.hpp"
+#include "reference/exact_radius.hpp"
 #include "table/probe_directions.hpp"
 
 namespace impinge::lab {
@@ -66,8 +66,7 @@ SamplingStudy make_sampling_study(const StudyOptions& options) {
   for (const double precision : options.precisions)
     append(study.directions, polar_directions(kPolarCells * precision * kDegree, options.polar));
   append(study.directions, feature_directions(study.head));
-  const RayCaster caster(study.head);
-  for (const Vec3& u : study.directions) study.truth.push_back(caster.cast(u, Layer::farthest));
+  study.truth = exact_radii(study.head, {study.directions, Layer::farthest, {}});
   name_columns(study);
   return study;
 }
