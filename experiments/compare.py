@@ -27,6 +27,7 @@ MADE_ON = ("commit", "dirty", "profile", "compiler", "flags", "cpu", "cores", "s
 UNITS_OF_TIME = ("ns", "us", "ms", "s")
 # Errors and the bounds that are proven of them, by the name of the CSV.
 BOUNDS = {
+    "all_gaps": (("max_over_um", "bound_um"), ("max_under_um", "bound_um")),
     "error_against_time": (("max_over_um", "bound_um"), ("max_under_um", "bound_um")),
     "phantoms": (("error", "bound"),),
     "sampling_error_proven": (("measured_max_mm", "bound_mm"), ("attained_mm", "bound_mm")),

@@ -17,11 +17,39 @@ from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.patheffects import withStroke  # noqa: E402
 from matplotlib.text import Annotation  # noqa: E402
 
-# Okabe and Ito (2008): distinct for every common colour vision. Each colour has a marker and a dash
-# of its own, for readers in grey.
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#F0E442"]
+# After Okabe and Ito (2008), distinct for every common colour vision, and darker where they are too pale on white: each has a
+# contrast of 3 : 1 at least. Each colour has a marker and a dash of its own, for readers in grey.
+COLOURS = ["#0072B2", "#D55E00", "#008F68", "#B5528A", "#A87000", "#2E8BC0", "#000000", "#7A7A00"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 DASHES = ["-", "--", "-.", ":"]
+# Of a method, the same in every figure: colour, marker, dash. The longest beginning of its name counts, small letters.
+METHODS = {
+    "thesis, rsid": ("#A6611A", "s", "--"),
+    "rsid_thesis": ("#A6611A", "s", "--"),
+    "thesis, usid": ("#6B3E0C", "D", ":"),
+    "usid_thesis": ("#6B3E0C", "D", ":"),
+    "pairwise": ("#767676", "v", "-."),
+    "conchoid": ("#B5528A", "v", "-."),
+    "icosahedral": ("#6A3D9A", "P", "-"),
+    "rsid": ("#008F68", "s", "-"),
+    "usid": ("#00573F", "D", "-"),
+    "cube": ("#0072B2", "o", "-"),
+    "exact cells": ("#000000", "*", "-"),
+    "cube_cells_exact": ("#000000", "*", "-"),
+    "impinge": ("#0072B2", "o", "-"),
+    "bracket": ("#0072B2", "*", "-"),
+    "touch, culled": ("#0072B2", "h", "-"),
+    "touch of vertices": ("#2E8BC0", "h", "--"),
+    "smallest gap, culled": ("#2E8BC0", "o", "--"),
+    "all gaps": ("#00376B", "^", "-"),
+    "embree": ("#D55E00", "^", "-"),
+    "cgal": ("#B2182B", "X", "-"),
+    "fcl": ("#882255", "p", "--"),
+    "rapid": ("#882255", "p", "--"),
+    "ode": ("#5E6B00", "<", "-."),
+    "bullet": ("#A87000", ">", ":"),
+    "vtk": ("#44777F", "d", "--"),
+}
 THESIS_GREY, INK = "#8c8c8c", "#202020"
 HALO = [withStroke(linewidth=2.5, foreground="white")]  # of words and lines on a picture
 
@@ -61,15 +89,22 @@ def style() -> None:
 
 
 def look(names: list[str]) -> dict[str, dict]:
-    """Colour, marker and dash of each name, by first appearance; hollow markers in the second round of colours."""
+    """Colour, marker and dash of each name: of a method as METHODS has it, of others by first appearance. Markers are hollow in
+    the second round, and of a method's second form.
+    """
     looks = {}
-    for i, name in enumerate(dict.fromkeys(names)):
-        again = i // len(COLOURS)
-        looks[name] = {
-            "color": COLOURS[i % len(COLOURS)],
-            "marker": MARKERS[i % len(MARKERS)],
-            "linestyle": DASHES[(i + again) % len(DASHES)],
-        }
+    others = 0
+    for name in dict.fromkeys(names):
+        begins = [method for method in METHODS if name.lower().startswith(method)]
+        if begins:
+            colour, marker, dash = METHODS[max(begins, key=len)]
+            again = any((own["color"], own["marker"]) == (colour, marker) for own in looks.values())
+        else:
+            again = others // len(COLOURS)
+            colour, marker = COLOURS[others % len(COLOURS)], MARKERS[others % len(MARKERS)]
+            dash = DASHES[(others + again) % len(DASHES)]
+            others += 1
+        looks[name] = {"color": colour, "marker": marker, "linestyle": dash}
         if again:
             looks[name]["markerfacecolor"] = "white"
     return looks

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One panel of error against cost. What is wrong has the width of the axes, from a least error on; what is exact has a band of
-its own at the left. Rows have error, cost, bound, group (a line each), name, and always (to be labelled on or off the front).
+"""One panel of error against cost: a line a method, its settings written at their points, proven bounds as ticks. Rows have
+line, step (the words at a point), error, cost and bound.
 """
 
 from dataclasses import dataclass
@@ -10,107 +10,102 @@ import numpy as np
 import pandas as pd
 
 import common
-from common import pareto
 
-BAND = 1.2  # decades: width of what is exact
-FADED = "#c4c4c4"
-LINE = 12.0  # points between labels that would cover one another
+LINE = 10.5  # points between labels that would cover one another
+NOTE = 6.5  # points of the words at a point
 
 
 @dataclass(frozen=True)
 class Errors:
-    """The axis of errors: what is less than `least` is exact, what is more than `most` stands at the end, and the axis goes to
-    `shown` at least.
-    """
+    """The axis of errors: what is less than `least` stands there. Names of lines that end beyond `near` stand at the right."""
 
     least: float
-    most: float
-    shown: float
+    near: float
     label: str
-
-    def place(self, error: float) -> float:
-        """Where an error stands across."""
-        return BAND / 5 if error < self.least else BAND + np.log10(min(error, self.most) / self.least)
+    ticks: dict[float, str] | None = None  # of a logarithmic axis; without them it is linear
+    most: float = np.inf  # where bounds are cut off
 
 
-MICROMETRES = Errors(0.1, 1e4, 100.0, "largest error measured, µm")
-DEGREES = Errors(1e-2, 1e3, 1.0, "largest error measured, degrees")
+MICROMETRES = Errors(
+    1e-3, 0.1, "largest error", {1e-3: "≤ 1 nm", 0.1: "0.1 µm", 10.0: "10 µm", 1e3: "1 mm"}, 2e4
+)
+DEGREES = Errors(1e-7, 1e-5, "largest error, degrees", {1e-7: "≤ 1e-7", 1e-5: "1e-5", 1e-3: "0.001", 0.1: "0.1", 10.0: "10"})
+PERCENT = Errors(0.0, 0.2, "poses that it is wrong about, %")
 
 
-def grid_of(lines: int, height: float) -> tuple[plt.Figure, np.ndarray]:
-    """Lines of two panels, each with room for its labels at the right."""
+def grid_of(lines: int, height: float, foot: str) -> tuple[plt.Figure, np.ndarray]:
+    """Lines of two panels, each with room for its labels at the right, and words below them all."""
     figure, grid = plt.subplots(lines, 2, figsize=(common.WIDTH, height * lines), squeeze=False)
     inch = 1.0 / height / lines
-    figure.subplots_adjust(left=0.075, right=0.86, bottom=0.75 * inch, top=1.0 - 0.3 * inch, wspace=0.72, hspace=0.35)
-    figure.text(
-        0.01,
-        0.08 * inch,
-        "black: Pareto front · line to a tick: proven bound · grey: other schemes, storages and settings",
-        fontsize=common.SMALL,
-    )
+    figure.subplots_adjust(left=0.07, right=0.865, bottom=0.85 * inch, top=1.0 - 0.3 * inch, wspace=0.68, hspace=0.32)
+    figure.text(0.01, 0.06 * inch, foot, fontsize=common.SMALL)
     return figure, grid
 
 
-def draw(axes: plt.Axes, rows: pd.DataFrame, errors: Errors = MICROMETRES) -> None:
+def draw(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict) -> None:
     """All of it but title and label of the cost."""
     rows = rows[np.isfinite(rows.error)].copy()
-    rows["x"] = [errors.place(error) for error in rows.error]
-    rows["exact"] = rows.error < errors.least
-    rows["front"] = pareto.front(rows.error.clip(errors.least, None).to_numpy(), rows.cost.to_numpy())
-    most = min(errors.most, max(errors.shown, 1.5 * rows.error.max()))
-    axes.set(yscale="log", xlim=(-0.1, errors.place(most)), ylim=(rows.cost.min() / 2, rows.cost.max() * 2))
-    axes.axvspan(-0.1, BAND, color="#f2f2f2", zorder=0, linewidth=0)
-    decades = range(round(np.log10(errors.least)), int(np.floor(np.log10(most))) + 1)
-    axes.set_xticks(
-        [BAND / 4, *(errors.place(10.0**k) for k in decades)], ["exact", *(f"{10.0**k:g}" for k in decades)]
-    )
-    axes.set_xlabel(errors.label)
-    for _, group in rows.groupby("group", sort=False):
-        group = group.sort_values("x")
-        axes.plot(group.x, group.cost, ".-", color=FADED, linewidth=0.7, markersize=4, zorder=1)
-    chosen = choose(rows)
-    names = list(dict.fromkeys(chosen.sort_values("cost", ascending=False).name))
-    colours = {name: common.COLOURS[k % (len(common.COLOURS) - 1)] for k, name in enumerate(names)}
-    for row in chosen.itertuples():
-        colour = colours[row.name]
-        axes.plot(row.x, row.cost, "o", color=colour, markersize=6, zorder=4)
-        if np.isfinite(row.bound):
-            axes.plot([row.x, errors.place(row.bound)], [row.cost] * 2, "-|", color=colour, linewidth=0.8, zorder=3)
-    on = rows[rows.front].sort_values(["x", "cost"])
-    end = np.append(on.x, axes.get_xlim()[1])
-    axes.step(end, np.append(on.cost, on.cost.iloc[-1]), where="post", color="black", linewidth=1.1, zorder=2)
-    label(axes, chosen, colours)
+    rows["x"] = rows.error.clip(lower=errors.least)
+    rows["bound"] = rows.bound.clip(errors.least, errors.most)
+    axes.set(yscale="log", xscale="log" if errors.ticks else "linear", xlabel=errors.label)
+    for line, group in rows.groupby("line", sort=False):
+        look = looks[line]
+        group = group.sort_values("x", ascending=False, kind="stable")
+        axes.plot(group.x, group.cost, **look, markersize=4.5, linewidth=1.2, zorder=3)
+        for row in group[np.isfinite(group.bound)].itertuples():
+            axes.plot([row.x, row.bound], [row.cost] * 2, color=look["color"], linewidth=0.35, alpha=0.6, zorder=1)
+            axes.plot(row.bound, row.cost, "|", color=look["color"], markersize=6, markeredgewidth=1.2, zorder=2)
+    if errors.ticks:
+        axes.set_xticks(list(errors.ticks), list(errors.ticks.values()))
+        axes.set_xlim(errors.least / 2, max(axes.get_xlim()[1], 2 * max(errors.ticks)))
+        axes.minorticks_off()
+    low, high = axes.get_ylim()
+    axes.set(xlim=axes.get_xlim(), ylim=(low / 1.3, high * 1.5))
+    write_steps(axes, rows, looks)
+    label(axes, rows, errors, looks)
 
 
-def choose(rows: pd.DataFrame) -> pd.DataFrame:
-    """One row a name: its cheapest on the front, or its cheapest where it is always shown."""
-    shown = rows[rows.front | rows.always]
-    ranked = shown.sort_values(["front", "cost"], ascending=[False, True])
-    return ranked.drop_duplicates("name")
+def write_steps(axes: plt.Axes, rows: pd.DataFrame, looks: dict) -> None:
+    """The words at the points, the ends of a line first; those that would cover others are left out."""
+    taken = []
+    place = rows.groupby("line").cumcount()
+    ends = (place == 0) | (rows.groupby("line").cumcount(ascending=False) == 0)
+    for row in pd.concat([rows[ends], rows[~ends]]).itertuples():
+        x, y = axes.transData.transform((row.x, row.cost)) * 72.0 / axes.figure.dpi
+        width = 0.65 * NOTE * len(row.step)
+        for rise in (4.0, -9.5):
+            box = (x - width / 2, y + rise, x + width / 2, y + rise + NOTE)
+            if all(box[0] > b[2] or box[2] < b[0] or box[1] > b[3] or box[3] < b[1] for b in taken):
+                colour = looks[row.line]["color"]
+                common.note(axes, row.step, (row.x, row.cost), (0, rise), ha="center", fontsize=NOTE, color=colour, zorder=4)
+                taken.append(box)
+                break
 
 
-def label(axes: plt.Axes, chosen: pd.DataFrame, colours: dict) -> None:
-    """Names at the edge, or beside what is exact, moved up or down until none covers another."""
+def label(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict) -> None:
+    """Names at the right, or beside what is near to exact, moved up or down until none covers another."""
     figure = axes.figure
-    for exact in (True, False):
-        own = chosen[chosen.exact == exact].sort_values("cost")
+    ends = rows.sort_values("x", kind="stable").drop_duplicates("line", keep="last")
+    for near in (True, False):
+        own = ends[(ends.x < errors.near) == near].sort_values("cost")
         if own.empty:
             continue
         points = axes.transData.transform(np.column_stack([own.x, own.cost])) * 72.0 / figure.dpi
         heights = spread(points[:, 1])
         right = axes.bbox.x1 * 72.0 / figure.dpi + 5.0
         for row, at, height in zip(own.itertuples(), points, heights):
-            leader = {"arrowstyle": "-", "color": colours[row.name], "linewidth": 0.6}
+            colour = looks[row.line]["color"]
+            leader = {"arrowstyle": "-", "color": colour, "linewidth": 0.5, "alpha": 0.7}
             common.note(
                 axes,
-                row.name,
+                row.line,
                 (row.x, row.cost),
-                (7.0 if exact else right - at[0], height - at[1]),
-                va="bottom" if exact else "center",
-                color=colours[row.name],
+                (8.0 if near else right - at[0], height - at[1]),
+                va="center",
+                color=colour,
                 path_effects=common.drawing.HALO,
                 zorder=5,
-                arrowprops=None if exact else leader,
+                arrowprops=None if near else leader,
             )
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# @data      error_against_time error_against_time_spread sampling_error_proven error_budget euclidean
+# @data      error_against_time error_against_time_spread all_gaps sampling_error_proven error_budget euclidean
 # @depends   tables/matched-accuracy.csv
 """Numbers of the paper about error against run time, proven bounds and Euclidean distances.
 
@@ -7,7 +7,8 @@ benchmark:methods, :scenes, :settings, :bounded (rows with a proven bound) and :
 tightness:least and :median of the latter; matched:TARGET:line, :query_ns, :kib, :embree and :thesis of
 the fastest line of the main scene at that error (um); proven:SCHEME:PRECISION:COLUMN of the head;
 budget:STAGE:max_um of the generated pair at 1 degree;
-euclidean:ZONE:gap_median and :gap_max, the largest over all joints and poses.
+euclidean:ZONE:gap_median and :gap_max, the largest over all joints and poses; work:embree, work:pays and work:ablation, sentences
+of common/work_precision.py.
 """
 
 from pathlib import Path
@@ -16,12 +17,13 @@ import numpy as np
 import pandas as pd
 
 import common
-from common import pareto
+from common import pareto, work_precision
 
 
 def facts(results: Path) -> dict[str, str]:
     """All of them."""
-    return benchmark(results) | matched(results) | proven(results) | euclidean(results)
+    said = {f"work:{name}": text for name, text in work_precision.sentences(results).items()}
+    return benchmark(results) | matched(results) | proven(results) | euclidean(results) | said
 
 
 def benchmark(results: Path) -> dict[str, str]:

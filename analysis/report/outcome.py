@@ -8,13 +8,17 @@ from pathlib import Path
 import pandas as pd
 
 import common
+from common import work_precision
 from report import data_table, picture
 from report.artefacts import row_label, title_of
 from report.markup import element
 from verdicts import verdict
 
 WORDS = {"holds": "hold", "misprint": "misprints"}
-PLOT = "The largest error of every method against its time, one panel per question; lower left is better."
+PLOTS = {
+    "error-against-time": "All gaps of a pose of a hip: the largest error of both scans against time; lower left is better.",
+    "contact-against-time": "Touch, smallest gap, first contact and filling: what is missed or wrong against time.",
+}
 
 
 def differing(results: Path) -> pd.DataFrame:
@@ -36,10 +40,15 @@ def section(results: Path) -> str:
     """Counts, the main plot, and two tables."""
     said, numbers = statements(results), differing(results)
     counts = ", ".join(f"{count} {WORDS.get(name, name)}" for name, count in said.verdict.value_counts().items())
-    plot = results / "figures" / "error-against-time.svg"
+    plots = [
+        element("figure", picture.image(results / "figures" / f"{name}.svg", text) + element("figcaption", text))
+        for name, text in PLOTS.items()
+    ]
     return (
         element("h2", "What came out", id="outcome")
-        + element("figure", picture.image(plot, PLOT) + element("figcaption", PLOT))
+        + plots[0]
+        + "".join(element("p", sentence) for sentence in work_precision.sentences(results).values())
+        + plots[1]
         + element("h3", "Statements of the thesis")
         + element("p", f"Of {len(said)} that were computed: {counts}.")
         + data_table.grid(said, None)

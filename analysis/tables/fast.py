@@ -10,6 +10,9 @@ import common
 from common import fast
 
 
+SIZES = ["0.5deg", "n=180", "n=291"]  # of tables, in the paper
+
+
 def main(options) -> common.Table:
     warm = fast.load(options.results)
     table = pd.concat([fast.load(options.results, state, scenes="") for state in ("warm", "cold")])
@@ -23,7 +26,9 @@ def main(options) -> common.Table:
 
 
 def latex(table: pd.DataFrame) -> str:
-    """One line a method and setting, both directions beside each other."""
+    """One line a method and setting, both directions beside each other; tables at one size."""
+    sized = table.setting.str.endswith("deg") | table.setting.str.startswith("n=")
+    table = table[~sized | table.setting.isin(SIZES)]
     head = [
         r" & & & \multicolumn{3}{c}{socket to ball} & \multicolumn{3}{c}{ball to socket} \\",
         r"\cmidrule(lr){4-6}\cmidrule(l){7-9}",

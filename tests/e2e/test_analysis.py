@@ -17,11 +17,39 @@ import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 
 import common  # noqa: E402
-from common import log_plot, measured, pareto, timing  # noqa: E402
+from common import drawing, log_plot, measured, pareto, timing, work_precision  # noqa: E402
 from findings import finding  # noqa: E402
 from report import data_table, markup, reference  # noqa: E402
 from verdicts import conchoid as verdicts_conchoid, memory as verdicts_memory  # noqa: E402
 from verdicts import timing as verdicts_timing, verdict  # noqa: E402
+
+
+class Palette(unittest.TestCase):
+    """Every colour has a contrast of 3 : 1 on white (WCAG 2.1), and a method keeps its look whatever is beside it."""
+
+    def contrast(self, colour: str) -> float:
+        """Of the colour on white."""
+        parts = [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+        linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+        return 1.05 / (0.05 + float(np.dot([0.2126, 0.7152, 0.0722], linear)))
+
+    def test_contrast(self):
+        for colour in [*common.COLOURS, *(look[0] for look in drawing.METHODS.values())]:
+            self.assertGreaterEqual(self.contrast(colour), 3.0, colour)
+
+    def test_look(self):
+        alone = common.look(["Embree"])["Embree"]
+        self.assertEqual(common.look(["a", "CGAL", "Embree"])["Embree"], alone)
+        self.assertEqual(common.look(["embree_ray8"])["embree_ray8"], alone)
+
+
+class Paying(unittest.TestCase):
+    """A table that takes 10 ms more to build and 0.1 ms less a pose pays from 100 poses on."""
+
+    def test_pays_from(self):
+        tree = pd.Series({"build_ms": 5.0, "pose_us": 300.0})
+        for build, pose, poses in ((15.0, 200.0, 100), (15.0, 300.0, np.inf), (4.0, 200.0, 1), (15.0, 400.0, np.inf)):
+            self.assertEqual(work_precision.pays_from(pd.Series({"build_ms": build, "pose_us": pose}), tree), poses)
 
 
 class Loading(unittest.TestCase):

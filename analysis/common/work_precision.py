@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Error against run time of all gaps of a pose, both scans, from data/all_gaps.csv: a row a scene, line and setting.
+
+The error is the worse of both scans: vertices of the ball against the socket, vertices of the socket against the ball. Times of
+poses are that of building both sides and so many times that of a pose.
+"""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+import common
+from common import fast
+
+# Method and storage of each line; Embree's rays are one line, the fastest of which counts.
+LINES = {
+    ("rsid_thesis", "double"): "thesis, RSID",
+    ("usid_thesis", "double"): "thesis, USID",
+    ("conchoid", "double"): "conchoid",
+    ("icosahedral_gnomonic_mesh_exact", "double"): "icosahedral",
+    ("rsid", "float"): "RSID, vectors",
+    ("usid", "float"): "USID, vectors",
+    ("cube_gnomonic_mesh_exact", "uint16"): "cube, 16 bits",
+    ("cube_cells_exact", "float"): "exact cells",
+    ("embree_ray1", "none"): "Embree",
+    ("embree_ray8", "none"): "Embree",
+    ("embree_ray16", "none"): "Embree",
+    ("cgal_first_hit", "none"): "CGAL",
+}
+THESIS = ["thesis, RSID", "thesis, USID"]
+POSES = {"one": 1, "thousand": 1000, "million": 1000000}  # columns of times, ms
+# Each step towards the kernel that is used: what, method, storage. The last leaves out what the one before has.
+ABLATION = {
+    "RSID, vertex by vertex, double": ("rsid_scalar", "double"),
+    "+ vector instructions": ("rsid", "double"),
+    "+ float": ("rsid", "float"),
+    "+ 16 bits": ("rsid", "uint16"),
+    "+ layout: cube map": ("cube_gnomonic_mesh_exact", "uint16"),
+    "- mask of the rim": ("cube_no_mask", "uint16"),
+}
+PRECISION = 0.5  # degrees, of the ablation and of what is said in words
+
+
+def both_scans(results: Path) -> pd.DataFrame:
+    """A row a scene, method, setting and storage with `precision_deg`, largest `error_um` and `bound_um`, sums over both scans of
+    `build_ms`, `bytes` and `false_hits`, the time `pose_us` of a pose, and `single_ns` of a vertex asked alone.
+    """
+    table = common.load(results, "all_gaps")
+    drawn = table[table.state == "alone"].scene.unique()
+    table = fast.one_thread(table[table.scene.isin(drawn) & (table.measure == "radial") & (table.method != "floor")])
+    table = table.assign(
+        error_um=table[["max_over_um", "max_under_um"]].max(axis=1), pose_us=table.ns_vertex * table.vertices / 1e3
+    )
+    keys = ["scene", "method", "setting", "storage"]
+    warm = table[table.state == "warm"].groupby(keys, sort=False)
+    rows = warm.agg(
+        error_um=("error_um", "max"),
+        bound_um=("bound_um", lambda of: of.max(skipna=False)),
+        build_ms=("build_ms", "sum"),
+        pose_us=("pose_us", "sum"),
+        bytes=("bytes", "sum"),
+        false_hits=("false_hits", "sum"),
+        directions=("directions", "sum"),
+    )
+    rows["single_ns"] = table[table.state == "alone"].groupby(keys).ns_vertex.mean()
+    rows = rows.reset_index()
+    rows["precision_deg"] = rows.setting.map(precision)
+    return rows
+
+
+def precision(setting: str) -> float:
+    """Degrees of a setting such as 0.5deg or n=180; nan of others."""
+    if setting.startswith("n="):
+        return 90 / int(setting[2:])
+    return float(setting[:-3]) if setting.endswith("deg") else np.nan
+
+
+def load(results: Path) -> pd.DataFrame:
+    """The rows of LINES, with `line`, `step` (what is written at a point), and the times of POSES in ms."""
+    rows = both_scans(results)
+    rows["line"] = [LINES.get(key) for key in zip(rows.method, rows.storage)]
+    rows = rows.dropna(subset="line").copy()
+    rows["step"] = [
+        f"{row.precision_deg:.2g}°" if np.isfinite(row.precision_deg) else row.setting if row.line == "exact cells" else ""
+        for row in rows.itertuples()
+    ]
+    rows["single"] = rows.single_ns
+    for name, poses in POSES.items():
+        rows[name] = rows.build_ms + poses * rows.pose_us / 1e3
+    return rows[(rows.line != "cube, 16 bits") | rows.precision_deg.isin(degrees(rows))]
+
+
+def degrees(rows: pd.DataFrame) -> list[float]:
+    """The precisions of the thesis' tables: those of every line."""
+    return list(rows[rows.line.isin(THESIS)].precision_deg.unique())
+
+
+def scenes(rows: pd.DataFrame) -> dict[str, str]:
+    """Which scene is shown as what: the hip, the generated pair, and a real hip if there is one."""
+    found = {}
+    for scene in rows.scene.unique():
+        kind = "hip" if scene.startswith(fast.HIPS) else "generated" if scene.startswith("generated_") else "real"
+        found.setdefault(kind, scene)
+    return found
+
+
+def fastest(rows: pd.DataFrame, column: str) -> pd.DataFrame:
+    """One point a line and setting: of Embree's rays the fastest."""
+    embree = rows.line == "Embree"
+    return pd.concat([rows[~embree], rows[embree].nsmallest(1, column)])
+
+
+def pays_from(table: pd.Series, tree: pd.Series) -> float:
+    """From how many poses on the table is done sooner than the tree, building included; infinite if never."""
+    gain = (tree.pose_us - table.pose_us) / 1e3
+    lead = table.build_ms - tree.build_ms
+    if gain <= 0:
+        return np.inf if lead >= 0 else 1.0
+    return max(1.0, np.ceil(lead / gain))
+
+
+def ablation(results: Path) -> pd.DataFrame:
+    """The hip at half a degree: each step with its time, how many times as fast it is as the one before, error and memory."""
+    rows = both_scans(results)
+    rows = rows[(rows.scene == scenes(rows)["hip"]) & (rows.precision_deg == PRECISION)].set_index(["method", "storage"])
+    found = rows.loc[list(ABLATION.values())].reset_index()
+    found.insert(0, "step", list(ABLATION))
+    found["times"] = found.pose_us.shift() / found.pose_us
+    found["beyond_rim_percent"] = 100 * found.false_hits / found.directions
+    found["KiB"] = found.bytes / 1024
+    return found[["scene", "step", "pose_us", "times", "error_um", "KiB", "beyond_rim_percent"]]
+
+
+def sentences(results: Path) -> dict[str, str]:
+    """What the diagram of the hip shows, in words."""
+    rows = load(results)
+    own = rows[rows.scene == scenes(rows)["hip"]]
+    return {"embree": against_embree(own), "pays": paying(own), "ablation": bringing(ablation(results))}
+
+
+def against_embree(own: pd.DataFrame) -> str:
+    """Where Embree beats the thesis' tables on both axes."""
+    thesis = own[own.line.isin(THESIS)]
+    parts = []
+    for column, words in {
+        "single": "for a single query",
+        "one": "for one pose",
+        "thousand": "for 1,000 poses",
+        "million": "for 1,000,000 poses",
+    }.items():
+        tree = own[own.line == "Embree"].nsmallest(1, column).iloc[0]
+        beaten = (thesis[column] > tree[column]) & (thesis.error_um > tree.error_um)
+        parts.append(f"{beaten.sum()} {words}")
+    worst = own[own.line == "Embree"].error_um.max()
+    return (
+        f"Embree errs by at most {common.digits(worst, 2)} µm, the thesis' tables of {max(degrees(own)):g}° to "
+        f"{min(degrees(own)):g}° by {common.digits(thesis.error_um.min(), 2)} to "
+        f"{common.digits(thesis.error_um.max(), 2)} µm. Of the {len(thesis)} of them it beats on both axes, building included: "
+        f"{', '.join(parts)}."
+    )
+
+
+def paying(own: pd.DataFrame) -> str:
+    """From how many poses on a table pays."""
+    tree = own[own.line == "Embree"].nsmallest(1, "thousand").iloc[0]
+    parts = []
+    for line in ("thesis, RSID", "RSID, vectors", "cube, 16 bits", "exact cells"):
+        rows = own[(own.line == line) & ((own.precision_deg == PRECISION) | own.precision_deg.isna())]
+        row = rows.loc[rows.pose_us.idxmin()]
+        poses = pays_from(row, tree)
+        name = line + (f" at {row.step}" if row.step else "")
+        parts.append(f"{name}: {'never' if np.isinf(poses) else f'{poses:,.0f}'}")
+    return f"Number of poses from which on it is done sooner than Embree, building included: {'; '.join(parts)}."
+
+
+def bringing(steps: pd.DataFrame) -> str:
+    """What each step brings."""
+    brought = [f"{row.step.removeprefix('+ ')} {common.digits(row.times, 2)}" for row in steps[1:-1].itertuples()]
+    whole, last = steps.pose_us.iloc[0] / steps.pose_us.iloc[-2], steps.iloc[-1]
+    return (
+        f"At {PRECISION:g}° the kernel is {common.digits(whole, 2)} times as fast as the scalar scan in double. Factors of time, "
+        f"each on top of the one before: {', '.join(brought)}. Without the mask of the rim it would be "
+        f"{common.digits(last.times, 3)} times as fast, and {common.digits(last.beyond_rim_percent, 2)} % of the directions looked "
+        f"at would get a gap where there is no surface."
+    )

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      contact-against-time
+# @question  Touch, smallest gap, first contact and filling: what does each method miss, and what does it cost?
+# @data      all_gaps contact first_contact
+"""A panel a question, of the normal hip: what is missed or wrong across, time up; lower left is better."""
+
+import numpy as np
+import pandas as pd
+
+import common
+from common import error_panel, fast, work_precision
+
+FOOT = (
+    "Lower left is better. Touch: poses from 0.3 mm of overlap to 0.05 mm of gap, against the exact overlay of the faces."
+    " Smallest gap: the worst pose of three\ngaps. First contact: steps, then halvings to 0.001°; the bracket is proven. Filling:"
+    " error of what the table then answers; | proven bound. One thread."
+)
+
+
+def main(options) -> common.Figure:
+    poses = hip_rows(fast.contacts(options.results, scenes=fast.HIPS))
+    turns = hip_rows(common.load(options.results, "first_contact"))
+    panels = [touch(poses), smallest(poses), first_contact(turns), filling(work_precision.load(options.results))]
+    looks = common.look([line for rows, *_ in panels for line in rows.line])
+    figure, grid = error_panel.grid_of(2, 3.7, FOOT)
+    for axes, (rows, errors, title, unit) in zip(grid.flat, panels):
+        error_panel.draw(axes, rows, errors, looks)
+        axes.set(title=title, ylabel=unit)
+    return figure
+
+
+def hip_rows(table: pd.DataFrame) -> pd.DataFrame:
+    """Those of the normal hip, or of the first there is."""
+    scene = f"{fast.HIPS}normal_{fast.TRIANGLES}"
+    return table[table.scene == (scene if scene in set(table.scene) else table.scene.iloc[0])]
+
+
+def touch(poses: pd.DataFrame) -> tuple:
+    """Of the poses that touch or nearly, those that a method is wrong about."""
+    rows = poses[(poses.gap_case == "touching") & (poses.question != "smallest gap")]
+    rows = rows.assign(error=100 * rows.wrong / rows.poses, cost=rows.us_pose, step="", bound=np.nan)
+    return rows, error_panel.PERCENT, "Do the bones touch?", "time of a pose, µs"
+
+
+def smallest(poses: pd.DataFrame) -> tuple:
+    """The smallest gap, or all of them, of the slowest of three gaps."""
+    rows = poses[poses.question != "touch"].groupby("line", sort=False)[["error_um", "us_pose"]].max().reset_index()
+    rows = rows.assign(error=rows.error_um, cost=rows.us_pose, step="", bound=np.nan)
+    return rows, error_panel.MICROMETRES, "Smallest gap", "time of a pose, µs"
+
+
+def first_contact(turns: pd.DataFrame) -> tuple:
+    """The angle of the first contact, a line a method over its steps; contacts it missed are written at the step."""
+    rows = turns.copy()
+    rows["line"] = rows.method.map(turns.attrs["labels"]).fillna(rows.method)
+    step = rows.setting.str.extract(r"steps of ([\d.]+)")[0].radd("", fill_value="")
+    missed = [f" ({count} missed)" if count else "" for count in rows.missed]
+    rows["step"] = np.where(rows.setting == "bracket", "", step + "°" + pd.Series(missed, rows.index))
+    rows = rows.rename(columns={"ms_motion": "cost", "error_deg": "error", "bound_deg": "bound"})
+    return rows, error_panel.DEGREES, "First contact of a motion", "time of a motion, ms"
+
+
+def filling(rows: pd.DataFrame) -> tuple:
+    """Building of both surfaces."""
+    own = rows[rows.scene == work_precision.scenes(rows)["hip"]]
+    own = work_precision.fastest(own, "build_ms")
+    own = own.rename(columns={"build_ms": "cost", "error_um": "error", "bound_um": "bound"})
+    return own, error_panel.MICROMETRES, "Filling or building, both surfaces", "time, ms"
+
+
+common.run(main)
