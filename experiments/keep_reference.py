@@ -10,7 +10,6 @@ sidecar vouches for, and all of them come from one commit without changes. Stand
 from __future__ import annotations
 
 import argparse
-import collections
 import csv
 import json
 import os
@@ -23,6 +22,7 @@ SOURCE = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(SOURCE / "analysis" / "common"))
 
 import jobs  # noqa: E402
+import tally  # noqa: E402
 from sidecars import Refused, sidecar  # noqa: E402
 
 MACHINE = ("profile", "commit", "cpu", "cores", "memory_mib", "system", "compiler", "flags")
@@ -86,11 +86,9 @@ def check_verdicts(verdicts: Path) -> None:
 
 
 def outcome(verdicts: Path) -> str:
-    """How often each verdict was given, each number of the thesis once, as the README says it."""
+    """How often each verdict was given, as the README says it."""
     with verdicts.open(newline="", encoding="utf-8") as file:
-        rows = [row for row in csv.DictReader(file) if not row["rule"].startswith("not counted: ")]
-    counts = collections.Counter(row["verdict"] for row in rows)
-    return f"{len(rows)} verdicts: " + ", ".join(f"{count} {name}" for name, count in counts.most_common())
+        return tally.said(csv.DictReader(file))
 
 
 def keep(results: Path, tables: list[str], run: dict, reference: Path) -> None:

@@ -24,6 +24,7 @@ import time
 from pathlib import Path
 
 import graph
+import tally
 from graph import SOURCE, Job, Setup
 
 JOINT3D_LEFT_OUT = (
@@ -240,9 +241,7 @@ def closing(results: Path, job: Job | None) -> None:
         if (results / name).is_file():
             print(f"{what:9}{results / name}")
     with (results / "verdicts.csv").open(newline="") as file:
-        rows = [row for row in csv.DictReader(file) if not row["rule"].startswith("not counted: ")]
-    counts = collections.Counter(row["verdict"] for row in rows)
-    print("verdicts " + ", ".join(f"{count} {verdict}" for verdict, count in counts.most_common()))
+        print("verdicts " + tally.said(csv.DictReader(file)))
 
 
 def run(setup: Setup, jobs: dict[str, Job], job: Job | None, parallel: int) -> int:

@@ -2,6 +2,7 @@
 # @depends   analysis/common/{thesis_values,counterparts}.csv
 """What the thesis prints, and which method of ours stands for which column of its tables."""
 
+import itertools
 from pathlib import Path
 
 import pandas as pd
@@ -21,13 +22,29 @@ def _counterparts(artefact: str) -> pd.DataFrame:
 
 
 def counterparts(artefact: str) -> dict[str, str]:
-    """The method of ours that stands for each column of a timing table of the thesis."""
+    """The method of ours that stands for each column of a timing table of the thesis: of several, the first."""
     table = _counterparts(artefact)
-    return {column: method for column, method in zip(table.thesis_column, table.method) if column}
+    return dict(reversed([(column, method) for column, method in zip(table.thesis_column, table.method) if column]))
+
+
+def readings(artefact: str) -> dict[str, dict[str, str]]:
+    """Every way to read such a table, by its name: the method that then stands for each column. The first is counterparts().
+    Readings of the same columns exclude each other.
+    """
+    table = _counterparts(artefact)
+    table = table[table.thesis_column != ""]
+    fixed = dict(zip(*(table[table.reading == ""][name] for name in ("thesis_column", "method"))))
+    groups: dict[tuple, list[tuple[str, dict[str, str]]]] = {}
+    for name, rows in table[table.reading != ""].groupby("reading", sort=False):
+        methods = dict(zip(rows.thesis_column, rows.method))
+        groups.setdefault(tuple(methods), []).append((str(name), methods))
+    found = {}
+    for choice in itertools.product(*groups.values()):
+        name = ", ".join(name for name, _ in choice)
+        found[name] = fixed | {column: method for _, methods in choice for column, method in methods.items()}
+    return found
 
 
 def methods_of(artefact: str) -> list[str]:
-    """The methods of ours that a timing table of the thesis shows: the counterparts of its columns, and those
-    that stand beside them.
-    """
+    """The methods of ours that a timing table of the thesis shows: those that may stand for its columns, and those beside them."""
     return list(_counterparts(artefact).method)

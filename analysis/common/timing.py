@@ -29,6 +29,7 @@ TABLE_8 = TimingTable("table-8", "sampling_time", "precision_deg", "Precision", 
 TABLE_9 = TimingTable("table-9", "detection_time", "triangles", "Triangles a model", "{:,.0f}")
 TABLES = (TABLE_3, TABLE_4, TABLE_8, TABLE_9)
 TICK_MS = 1000 / 64  # of the clock that the thesis read: its times to fill are whole multiples, see findings
+GENERATED = "generated"  # the joint of a ball and a socket, of any number of triangles
 REFERENCE = "rsid"  # the thesis' name of its own method: every ratio is to it
 
 
@@ -45,37 +46,41 @@ def disqualified(table: pd.DataFrame, *parts: str) -> bool:
 
 
 def compare(results: Path, table: TimingTable) -> pd.DataFrame:
-    """One row for each row of the table and method of ours: thesis and measured time, and both as ratios to the
-    reference. Methods without a counterpart in the thesis' table are there too.
+    """One row for each row of the table, joint and method of ours: thesis and measured time, and both as ratios to the
+    reference. Methods without a counterpart in the thesis' table are there too. `size` is what times grow with: 1 / precision,
+    or the triangles of a model that the joint really has.
     """
     ours = common.load(results, table.data)
     theirs = thesis_times(table)
     column_of = {method: column for column, method in common.counterparts(table.artefact).items()}
     reference = common.counterparts(table.artefact)[REFERENCE]
-    times = {(row[table.key], row["method"]): row for _, row in ours.iterrows()}
+    by_joint = "joint" in ours
+    ours = ours if by_joint else ours.assign(joint=GENERATED)
+    times = {(row[table.key], row.joint, row.method): row for _, row in ours.iterrows()}
     lines = []
-    for (key, method), row in times.items():
+    for (key, joint, method), row in times.items():
         column = column_of.get(method, "")
-        base = times.get((key, reference))
+        base = times.get((key, joint, reference))
         thesis_ms = theirs.get((key, column), math.nan)
         lines.append(
             {
                 table.key: key,
+                "joint": joint,
                 "method": method,
-                **({"joint": row.joint} if "joint" in row else {}),
+                "size": 1 / key if table.key == "precision_deg" else row.triangles_of_both / 2,
                 "thesis_column": column,
                 "thesis_ms": thesis_ms,
                 "measured_ms": row.median_ms,
                 "iqr_ms": row.iqr_ms,
                 "extrapolated": row.extrapolated,
-                "inconclusive": row.get("inconclusive", False) or disqualified(ours, method, f"{key:g}"),
+                "inconclusive": row.get("inconclusive", False) or disqualified(ours, method, f"{key:g}", *[joint][:by_joint]),
                 "thesis_ratio": thesis_ms / theirs.get((key, REFERENCE), math.nan),
                 "measured_ratio": row.median_ms / base.median_ms if base is not None else math.nan,
             }
         )
-    order = list(dict.fromkeys([*(key for key, _ in theirs), *ours[table.key], *ours.method]))
+    order = list(dict.fromkeys([*(key for key, _ in theirs), *ours[table.key], *ours.joint, *ours.method]))
     return pd.DataFrame(lines).sort_values(
-        [table.key, "method"], key=lambda names: names.map(order.index), ignore_index=True
+        [table.key, "joint", "method"], key=lambda names: names.map(order.index), ignore_index=True
     )
 
 
@@ -91,8 +96,9 @@ def latex(lines: pd.DataFrame, table: TimingTable) -> str:
         ("relative to RSID", "thesis_ratio", "measured_ratio"),
     ):
         body += ["\\midrule", f"\\multicolumn{{{layout.count('r') + 1}}}{{@{{}}l}}{{\\itshape {title}}} \\\\"]
-        for key, group in lines.groupby(table.key, sort=False):
-            cells = [table.row_format.format(key)]
+        for (key, joint), group in lines.groupby([table.key, "joint"], sort=False):
+            place = "" if joint == GENERATED else f" ({common.tex(joint.replace('_', ' '))})"
+            cells = [table.row_format.format(key) + place]
             for method in methods:
                 line = group[group.method == method]
                 if method in with_thesis:

@@ -8,7 +8,7 @@
 the timed data.
 
 Keys: count:VERDICT and :all, count:ARTEFACT:VERDICT or :all that were not given, each number of the thesis once;
-thesis, measured and rounded:ARTEFACT:ROW:COLUMN;
+count:KIND:VERDICT and :all for computed, measured and given; thesis, measured and rounded:ARTEFACT:ROW:COLUMN;
 exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; ratio:DATA:KEY:METHOD/METHOD of our
 times, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA; finding:VERDICT, :all;
 one for each number of further CSVs (see MODULES), as scheme:usid:covering_constant;
@@ -21,7 +21,7 @@ from pathlib import Path
 import pandas as pd
 
 import common
-from common import log_plot, strain, timing
+from common import log_plot, strain, tally, timing
 from findings import finding
 from paper import baselines, cells, error_against_time, limits, studies, volume
 from verdicts import verdict
@@ -35,6 +35,8 @@ def verdict_facts(verdicts: pd.DataFrame) -> dict[str, str]:
     counted = verdict.counted(verdicts)
     facts = {f"count:{name}": str((counted.verdict == name).sum()) for name in verdict.VERDICTS}
     facts["count:all"] = str(len(counted))
+    for kind, found in tally.counts(verdicts.to_dict("records")).items():
+        facts |= {f"count:{kind}:{name}": str(found[name]) for name in verdict.VERDICTS} | {f"count:{kind}:all": str(found.total())}
     for artefact, rows in counted.groupby("artefact"):
         facts |= {f"count:{artefact}:{name}": str((rows.verdict == name).sum()) for name in verdict.VERDICTS}
         facts[f"count:{artefact}:all"] = str((rows.verdict != "input").sum())

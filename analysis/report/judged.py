@@ -7,6 +7,7 @@ import html
 
 import pandas as pd
 
+from common import tally
 from report.artefacts import row_label, title_of
 from report.markup import cell, choice, element
 from verdicts import verdict
@@ -15,11 +16,12 @@ MARKS = {"reproduced": "✓", "differs": "≠", "inconclusive": "?", "thesis-mis
 MEANINGS = {
     "reproduced": "meets the rule",
     "differs": "does not meet the rule",
-    "inconclusive": "its timing was disqualified",
+    "inconclusive": "a part of its range meets the rule",
     "thesis-misprint": "wrong in the thesis",
     "not-comparable": "of another machine or patient",
     "input": "given, not computed",
 }
+KINDS = {"computed": "Computed from formulas", "measured": "Measured", "given": "Given by the thesis"}
 HEADS = {"measured": "this run", "reference": "reference run", "row": "row or case", "artefact": "where"}
 
 
@@ -36,21 +38,28 @@ def section(verdicts: pd.DataFrame, places: set[str]) -> str:
 
 
 def totals(verdicts: pd.DataFrame) -> str:
-    """How often each verdict was given, each number of the thesis once."""
-    counted = verdict.counted(verdicts)
-    counts = counted.verdict.value_counts()
-    left_out = f"{len(verdicts) - len(counted)} more rows are not counted: another table has their number, or the thesis has none (see the rule)."
-    return element("p", left_out, class_="soft") + element(
+    """How often each verdict was given, each number of the thesis once: what was computed, and what was measured."""
+    left_out = len(verdicts) - len(verdict.counted(verdicts))
+    said = f"{left_out} more rows are not counted: another table has their number, or the thesis has none (see the rule)."
+    parts = [element("p", said, class_="soft")]
+    for kind, found in tally.counts(verdicts.to_dict("records")).items():
+        parts += [element("h3", KINDS[kind]), tiles(found)] if found else []
+    return "".join(parts)
+
+
+def tiles(found: dict[str, int]) -> str:
+    """One for each verdict."""
+    return element(
         "ul",
         "".join(
             element(
                 "li",
-                f"<b>{counts[name]}</b> "
+                f"<b>{found[name]}</b> "
                 + element("span", name, class_=f"verdict {name}", data_mark=MARKS[name])
                 + f'<br><span class="soft">{MEANINGS[name]}</span>',
             )
             for name in MARKS
-            if name in counts
+            if name in found
         ),
         class_="totals",
     )
@@ -79,7 +88,7 @@ def verdict_table(verdicts: pd.DataFrame, places: set[str]) -> str:
     """Every row, with what the filters need."""
     names = [
         name
-        for name in ("artefact", "row", "column", "thesis", "measured", "reference", "unit")
+        for name in ("artefact", "row", "column", "thesis", "measured", "low", "high", "reference", "unit")
         if name in verdicts
     ]
     titles = [*(HEADS.get(name, name) for name in names), "verdict", "why"]
@@ -95,7 +104,7 @@ def verdict_row(row: dict[str, str], names: list[str], places: set[str]) -> str:
         where = element("a", where, href=f"#{row['artefact']}")
     cells = [element("td", where, data_title="where")]
     for name in names[1:]:
-        rounded = name in ("measured", "reference")
+        rounded = name in ("measured", "low", "high", "reference")
         text = row_label(row[name]) if name == "row" else row[name]
         cells.append(cell(text, title=HEADS.get(name, name), name=name == "row", shorten=rounded))
     found = row["verdict"]

@@ -3,7 +3,8 @@
 """Verdicts on times (Tables 3, 4, 8 and 9). A time on another machine says nothing by itself; what can be compared is
 which method is faster, by how much, and how its time grows, and those have rows of their own.
 
-Table 3 stands in Table 8 again and Table 4 in Table 9: their numbers are counted there.
+Each is a range: over the rounds of both times, the joints of a row, the readings of the thesis (counterparts.csv) and what
+another machine may change. Table 3 stands in Table 8 again and Table 4 in Table 9: their numbers are counted there.
 """
 
 import math
@@ -13,18 +14,73 @@ import pandas as pd
 
 import common
 from common import log_plot, timing
-from verdicts.verdict import NOT_COUNTED, not_counted, row, value_row
+from common.ranges import MACHINE, Range, all_of, both, slope_range, time_range, union
+from common.tally import NOT_COUNTED
+from verdicts.verdict import judged, not_counted, ranged, row, value_row
 
 RATIO_FACTOR = math.sqrt(10)  # half an order of magnitude: other machine, compiler, implementation of the rival
-RATIO_RULE = "ratio within half an order of magnitude of the thesis' ratio"
+RATIO_RULE = "ratio within half an order of magnitude of the thesis' ratio, and not the opposite trend; all of its range"
+ORDER_RULE = "same methods, fastest first, in the same order; all of the range, from low to high, of the nearest ratio"
 TRIANGLES = 3000  # of each model in Table 8
 MOST_OFF = 0.25  # of an exponent: n against n^1.25
 AGAIN = {"table-3": timing.TABLE_8, "table-4": timing.TABLE_9}  # where the thesis prints a table again
 
 
+class Times:
+    """Ours and the thesis' times of a table."""
+
+    def __init__(self, results: Path, table: timing.TimingTable):
+        self.table = table
+        self.lines = timing.compare(results, table)
+        self.thesis = timing.thesis_times(table)
+        self.readings = common.readings(table.artefact)
+        self.by_name = {(line[table.key], line.joint, line.method): line for _, line in self.lines.iterrows()}
+
+    def joints(self, key: float) -> list[str]:
+        """Those of a row, the stand-ins for the thesis' one."""
+        return list(self.lines[self.lines[self.table.key] == key].joint.unique())
+
+    def ways(self, key: float, columns: list[str]) -> dict[str, dict[str, pd.Series]]:
+        """Every way to have our times of these columns in a row, named by joint and reading; what is the same once."""
+        found: dict[str, dict[str, pd.Series]] = {}
+        seen = set()
+        for joint in self.joints(key):
+            for reading, methods in self.readings.items():
+                chosen = (joint, *(methods[column] for column in columns))
+                if chosen in seen or any((key, joint, methods[column]) not in self.by_name for column in columns):
+                    continue
+                seen.add(chosen)
+                name = ", ".join(filter(None, [joint.replace("_", " ") if len(self.joints(key)) > 1 else "", reading]))
+                found[name] = {column: self.by_name[key, joint, methods[column]] for column in columns}
+        return found
+
+    def trend(self, column: str) -> tuple[float, Range]:
+        """The power of the size that the ratio to the reference grows with, there and here."""
+        keys = [key for key, name in self.thesis if name == column and math.isfinite(self.thesis[key, column])]
+        keys = [key for key in keys if self.ways(key, [column, timing.REFERENCE])]
+        sizes = pd.Series([1 / key if self.table.key == "precision_deg" else key for key in keys])
+        theirs = log_plot.slope(sizes, pd.Series([self.thesis[key, column] / self.thesis[key, timing.REFERENCE] for key in keys]))
+        found = []
+        for choice in self.choices(keys, [column, timing.REFERENCE]):
+            ratios = [time_range(way[column]) / time_range(way[timing.REFERENCE]) for way in choice]
+            found.append(slope_range([way[column]["size"] for way in choice], ratios))
+        return theirs, union(found)
+
+    def choices(self, keys: list[float], columns: list[str]) -> list[list[dict[str, pd.Series]]]:
+        """A way for each row, by one reading, with each joint of the last rows."""
+        found = []
+        for methods in self.readings.values():
+            for joint in {joint: 0 for key in keys for joint in self.joints(key)}:
+                rows = [[self.by_name.get((key, name, methods[column])) for column in columns]
+                        for key in keys for name in [joint if joint in self.joints(key) else timing.GENERATED]]
+                if all(line is not None for lines in rows for line in lines):
+                    found.append([dict(zip(columns, lines)) for lines in rows])
+        return found
+
+
 def rows(results: Path) -> list[dict]:
     """Those of every timing table."""
-    found = {table.artefact: timing_rows(results, table) for table in timing.TABLES}
+    found = {table.artefact: timing_rows(Times(results, table)) for table in timing.TABLES}
     for artefact, again in AGAIN.items():
         found[artefact] = [once(line, again, found[again.artefact]) for line in found[artefact]]
     return [line for lines in found.values() for line in lines]
@@ -32,18 +88,21 @@ def rows(results: Path) -> list[dict]:
 
 def doubts(*lines: pd.Series) -> list[str]:
     """What a reader must know of the times of ours that a row rests on."""
-    hips = {line.joint for line in lines if line.get("joint", "generated") != "generated"}
-    notes = [f"in the place of the thesis' patient: {hip}" for hip in sorted(hips)]
+    notes = []
     if any(line.extrapolated for line in lines):
         notes.append("ours is extrapolated from a smaller run")
     if any(line.inconclusive for line in lines):
-        notes.append("our timing is inconclusive: one round, or the machine was busy")
+        notes.append("our timing was disqualified, one round or a busy machine, and counts as known to a factor of 2")
     return notes
 
 
-def judged(good: bool, *lines: pd.Series) -> str:
-    """The verdict of a row that rests on these times."""
-    return "inconclusive" if any(line.inconclusive for line in lines) else "reproduced" if good else "differs"
+def sides(judgements: dict[str, bool | None], found: dict[str, Range]) -> list[str]:
+    """Where the ways do not agree, what each says."""
+    if all_of(judgements.values()) is not None:
+        return []
+    words = {True: "meets the rule", False: "does not", None: "may or may not"}
+    return [f"{name or 'over rounds and machines'}, {found[name].low:.3g} to {found[name].high:.3g}: {words[good]}"
+            for name, good in judgements.items()]
 
 
 def tests(table: timing.TimingTable, line: pd.Series) -> float:
@@ -75,18 +134,19 @@ def ticks(table: timing.TimingTable, *lines: pd.Series) -> list[str]:
     return [f"in ticks of the thesis' clock {' and '.join(counts)}"] if short else []
 
 
-def time_row(table: timing.TimingTable, value, line: pd.Series | None) -> dict:
+def time_row(times: Times, value) -> dict:
     """A time: given for the reader, not judged."""
-    notes = []
-    if line is None:
-        notes.append("not measured in this run")
-    else:
+    key = common.number(value.row)
+    ways = [way[value.column] for way in times.ways(key, [value.column]).values()]
+    notes = ["not measured in this run"]
+    if ways:
+        line = ways[0]
         known = value.value != "N/A"
-        notes = [against_the_thesis(table, line) if known else f"measured with {common.label(line.method)}"]
-        notes += doubts(line)
+        notes = [against_the_thesis(times.table, line) if known else f"measured with {common.label(line.method)}", *doubts(*ways)]
     found = value_row(
         value,
-        measured="" if line is None else common.plain(line.measured_ms),
+        measured=common.plain(ways[0].measured_ms) if ways else "",
+        **(ranged(union(time_range(line) for line in ways)) if ways else {}),
         rule="times of different machines are not compared; see the ratios, the order and the growth",
         verdict="not-comparable",
         note="; ".join(notes),
@@ -94,112 +154,129 @@ def time_row(table: timing.TimingTable, value, line: pd.Series | None) -> dict:
     return not_counted(found, "the thesis gives no time") if value.value == "N/A" else found
 
 
-def ratio_row(table: timing.TimingTable, name: str, line: pd.Series, reference: pd.Series) -> dict:
+def ratio_row(times: Times, name: str, column: str) -> dict:
     """How many times the thesis' own method is faster than another, there and here."""
-    off = max(line.thesis_ratio, line.measured_ratio) / min(line.thesis_ratio, line.measured_ratio)
-    good = off <= RATIO_FACTOR
-    both = (line, reference)
-    why = [] if good else [*(against_the_thesis(table, one) for one in both), *ticks(table, *both)]
+    key = common.number(name)
+    ways = times.ways(key, [column, timing.REFERENCE])
+    theirs = times.thesis[key, column] / times.thesis[key, timing.REFERENCE]
+    found = {way: time_range(lines[column]) / time_range(lines[timing.REFERENCE]) for way, lines in ways.items()}
+    found = {way: one.widened(MACHINE) for way, one in found.items()}
+    there, here = times.trend(column)
+    same_trend = here.within(0, math.inf) if there > 0 else here.within(-math.inf, 0)
+    good = {way: both(one.within(theirs / RATIO_FACTOR, theirs * RATIO_FACTOR), same_trend) for way, one in found.items()}
+    first = next(iter(ways.values()))
+    ours = first[column].measured_ms / first[timing.REFERENCE].measured_ms
+    verdict = judged(all_of(good.values()))
+    notes = [f"off by a factor of {max(ours, theirs) / min(ours, theirs):.3g}"]
+    if same_trend is not True:
+        notes.append(
+            f"the ratio grows with the power {here.low:.2f} to {here.high:.2f} of {what_grows(times.table)}, in the thesis with {there:.2f}"
+        )
+    if verdict == "differs":
+        both_lines = first.values()
+        notes += [*(against_the_thesis(times.table, one) for one in both_lines), *ticks(times.table, *both_lines)]
     return row(
-        table.artefact,
+        times.table.artefact,
         name,
-        f"{line.thesis_column}/{timing.REFERENCE}",
-        thesis=common.plain(line.thesis_ratio),
-        measured=common.plain(line.measured_ratio),
+        f"{column}/{timing.REFERENCE}",
+        thesis=common.plain(theirs),
+        measured=common.plain(ours),
+        **ranged(union(found.values())),
         unit="ratio",
         rule=RATIO_RULE,
         tolerance=f"factor {RATIO_FACTOR:.3g}",
-        verdict=judged(good, line, reference),
-        note="; ".join([f"off by a factor of {off:.3g}", *why, *doubts(line, reference)]),
+        verdict=verdict,
+        note="; ".join([*notes, *sides(good, found), *doubts(*(line for way in ways.values() for line in way.values()))]),
     )
 
 
-def order_row(table: timing.TimingTable, name: str, lines: pd.DataFrame) -> dict:
-    """Which method is faster: fastest first, under the thesis' names."""
-    theirs = list(lines.sort_values("thesis_ms").thesis_column)
-    ours = list(lines.sort_values("measured_ms").thesis_column)
-    every = [line for _, line in lines.iterrows()]
-    moved = [line for line in every if theirs.index(line.thesis_column) != ours.index(line.thesis_column)]
+def what_grows(table: timing.TimingTable) -> str:
+    """The size of a row of the table."""
+    return "1 / precision" if table.key == "precision_deg" else "the triangles"
+
+
+def order_row(times: Times, name: str, columns: list[str]) -> dict:
+    """Which method is faster: fastest first, under the thesis' names. Every ratio of one and the next is above 1, or not."""
+    key = common.number(name)
+    theirs = sorted(columns, key=lambda column: times.thesis[key, column])
+    ways = times.ways(key, columns)
+    nearest, good = {}, {}
+    for way, lines in ways.items():
+        steps = [time_range(lines[slow]) / time_range(lines[fast]) for fast, slow in zip(theirs, theirs[1:])]
+        steps = [step.widened(MACHINE) for step in steps]
+        nearest[way] = min(steps, key=lambda step: step.low)
+        judgements = [step.within(1, math.inf) for step in steps]
+        good[way] = False if False in judgements else None if None in judgements else True
+    first = next(iter(ways.values()))
+    ours = sorted(columns, key=lambda column: first[column].measured_ms)
+    moved = [first[column] for column in columns if theirs.index(column) != ours.index(column)]
     return row(
-        table.artefact,
+        times.table.artefact,
         name,
         "order",
         thesis=" < ".join(theirs),
         measured=" < ".join(ours),
+        **ranged(union(nearest.values())),
         unit="order",
-        rule="same methods, fastest first, in the same order",
+        rule=ORDER_RULE,
         tolerance="none",
-        verdict=judged(not moved, *every),
-        note="; ".join([*(against_the_thesis(table, line) for line in moved), *doubts(*every)]),
+        verdict=judged(all_of(good.values())),
+        note="; ".join([*(against_the_thesis(times.table, line) for line in moved), *sides(good, nearest),
+                        *doubts(*(line for way in ways.values() for line in way.values()))]),
     )
 
 
-def growth(table: timing.TimingTable, lines: pd.DataFrame, times: str) -> float:
-    """The power of the size (triangles, or 1 / precision) that these times of a method grow with."""
-    size = 1 / lines[table.key] if table.key == "precision_deg" else lines[table.key]
-    return log_plot.slope(size, lines[times])
-
-
-def growth_row(table: timing.TimingTable, column: str, lines: pd.DataFrame) -> dict:
+def growth_row(times: Times, column: str) -> dict:
     """How the times of a method grow, where both have one; beside it in the note, our other ways to do the same."""
-    by_precision = table.key == "precision_deg"
-    beside = lines[(lines.thesis_column == "") & lines.method.str.startswith(column) & ~lines.extrapolated]
-    printed = lines[(lines.thesis_column == column) & lines.thesis_ms.notna()]
-    lines = printed[~printed.extrapolated]
-    every = [line for _, line in lines.iterrows()]
-    ours = growth(table, lines, "measured_ms")
-    theirs = growth(table, printed if math.isnan(ours) else lines, "thesis_ms")
-    if math.isnan(ours):
-        verdict = "not-comparable"
-        notes = ["ours are scaled by the number of tests, of which the power follows by itself"]
-    else:
-        verdict, notes = judged(abs(ours - theirs) <= MOST_OFF, *every), doubts(*every)
+    known = [key for key, name in times.thesis if name == column and math.isfinite(times.thesis[key, column])]
+    choices = [choice for choice in times.choices(known, [column]) if not any(way[column].extrapolated for way in choice)]
+    keys = known
+    sizes = pd.Series([1 / key if times.table.key == "precision_deg" else key for key in keys])
+    theirs = log_plot.slope(sizes, pd.Series([times.thesis[key, column] for key in keys]))
+    shared = {"thesis": f"{theirs:.2f}", "unit": "exponent", "tolerance": f"{MOST_OFF}",
+              "rule": f"power of {what_grows(times.table)} that fits the times, as near as n to n^1.25; all of its range"}
+    if not choices:
+        return row(times.table.artefact, "growth", column, **shared, verdict="not-comparable",
+                   note="ours are scaled by the number of tests, of which the power follows by itself")
+    found = {}
+    for choice in choices:
+        name = ", ".join(dict.fromkeys(f"{way[column].joint.replace('_', ' ')}, {common.label(way[column].method)}" for way in choice[-1:]))
+        found[name] = slope_range([way[column]["size"] for way in choice], [time_range(way[column]) for way in choice])
+    first = [way[column] for way in choices[0]]
+    ours = log_plot.slope(pd.Series([line["size"] for line in first]), pd.Series([line.measured_ms for line in first]))
+    good = {name: one.within(theirs - MOST_OFF, theirs + MOST_OFF) for name, one in found.items()}
+    verdict = judged(all_of(good.values()))
+    notes = sides(good, found)
     if verdict == "differs":
-        unit = "deg" if by_precision else "triangles"
-        ends = (f"at {line[table.key]:,g} {unit} {against_the_thesis(table, line)}" for line in (every[0], every[-1]))
-        notes = [f"off by {ours - theirs:+.2f}", *ends, *ticks(table, *every), *notes]
-    notes += [
-        f"{common.label(method)}: {growth(table, own, 'measured_ms'):.2f}"
-        for method, own in beside.groupby("method")
-        if len(own) > 1
-    ]
+        unit = "deg" if times.table.key == "precision_deg" else "triangles"
+        ends = (f"at {line[times.table.key]:,g} {unit} {against_the_thesis(times.table, line)}" for line in (first[0], first[-1]))
+        notes += [f"off by {ours - theirs:+.2f}", *ends, *ticks(times.table, *first)]
     return row(
-        table.artefact,
+        times.table.artefact,
         "growth",
         column,
-        thesis=f"{theirs:.2f}",
-        measured="" if math.isnan(ours) else f"{ours:.2f}",
-        unit="exponent",
-        rule=f"power of {'1 / precision' if by_precision else 'triangles'} that fits the times, as near as n to n^1.25",
-        tolerance=f"{MOST_OFF}",
+        measured=f"{ours:.2f}",
+        **ranged(union(found.values())),
+        **shared,
         verdict=verdict,
-        note="; ".join(notes),
+        note="; ".join([*notes, *doubts(*(way[column] for choice in choices for way in choice))]),
     )
 
 
-def timing_rows(results: Path, table: timing.TimingTable) -> list[dict]:
+def timing_rows(times: Times) -> list[dict]:
     """Every time of the table, then for each of its rows the ratios and the order, then the growth."""
-    ours = timing.compare(results, table)
-    lines = ours[ours.thesis_column != ""]
-    values = common.thesis(table.artefact)
-    rows = []
-    for value in values.itertuples():
-        match = lines[(lines[table.key] == common.number(value.row)) & (lines.thesis_column == value.column)]
-        rows.append(time_row(table, value, match.iloc[0] if len(match) else None))
+    values = common.thesis(times.table.artefact)
+    rows = [time_row(times, value) for value in values.itertuples()]
     for name in values.row.unique():
-        known = lines[(lines[table.key] == common.number(name)) & lines.thesis_ms.notna()]
-        reference = known[known.thesis_column == timing.REFERENCE]
-        if reference.empty or len(known) < 2:
+        key = common.number(name)
+        known = [column for column in values.column.unique() if math.isfinite(times.thesis[key, column])]
+        if timing.REFERENCE not in known or len(known) < 2 or not times.ways(key, known):
             continue
-        rows += [
-            ratio_row(table, name, line, reference.iloc[0])
-            for _, line in known.iterrows()
-            if line.thesis_column != timing.REFERENCE
-        ]
-        rows.append(order_row(table, name, known))
-    if table.artefact in AGAIN:
+        rows += [ratio_row(times, name, column) for column in known if column != timing.REFERENCE]
+        rows.append(order_row(times, name, known))
+    if times.table.artefact in AGAIN:
         return rows
-    return rows + [growth_row(table, column, ours) for column in values.column.unique()]
+    return rows + [growth_row(times, column) for column in values.column.unique()]
 
 
 def once(line: dict, again: timing.TimingTable, theirs: list[dict]) -> dict:

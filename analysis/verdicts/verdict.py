@@ -4,25 +4,39 @@
 import pandas as pd
 
 import common
+from common.ranges import Range
+from common.tally import NOT_COUNTED
 
-COLUMNS = ["artefact", "row", "column", "thesis", "measured", "unit", "rule", "tolerance", "verdict", "note"]
+COLUMNS = [*"artefact row column kind thesis measured low high unit rule tolerance verdict note".split()]
+KINDS = {"formula": "computed", "timing": "measured", "observation": "measured", "input": "given"}  # of a value of the thesis
 VERDICTS = ("reproduced", "differs", "inconclusive", "thesis-misprint", "not-comparable", "input")
-NOT_COUNTED = "not counted: "  # how the rule begins of a row that no sum holds
 
 
 def row(artefact: str, name: str, column: str, **rest: object) -> dict[str, object]:
-    """One line of verdicts.csv; what is not given stays empty."""
-    return {**dict.fromkeys(COLUMNS, ""), "artefact": artefact, "row": name, "column": column, **rest}
+    """One line of verdicts.csv; what is not given stays empty. Measured, unless `kind` says that it was computed: follows from
+    formulas, without a clock or a joint.
+    """
+    return {**dict.fromkeys(COLUMNS, ""), "artefact": artefact, "row": name, "column": column, "kind": "measured", **rest}
 
 
 def value_row(value, **rest: object) -> dict[str, object]:
     """The line of a value of common.thesis()."""
-    return row(value.artefact, value.row, value.column, thesis=value.value, unit=value.unit, **rest)
+    return row(value.artefact, value.row, value.column, **{"thesis": value.value, "unit": value.unit, "kind": KINDS[value.kind], **rest})
 
 
 def not_counted(line: dict[str, object], why: str) -> dict[str, object]:
     """The same line, left out of every sum: its number is counted elsewhere, or is none."""
     return {**line, "rule": NOT_COUNTED + why, "tolerance": ""}
+
+
+def ranged(found: Range) -> dict[str, str]:
+    """The columns of a range."""
+    return {"low": common.plain(found.low), "high": common.plain(found.high)}
+
+
+def judged(good: bool | None) -> str:
+    """The verdict on a range all of which meets the rule, or none, or some."""
+    return {True: "reproduced", False: "differs", None: "inconclusive"}[good]
 
 
 def counted(rows: pd.DataFrame) -> pd.DataFrame:

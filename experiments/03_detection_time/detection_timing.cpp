@@ -7,6 +7,8 @@
 
 #include "harness/timing.hpp"
 #include "methods/cgal.hpp"
+#include "methods/table_scan.hpp"
+#include "sphere/schemes/usid_arc.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -43,16 +45,27 @@ std::vector<TimedCase> benchmark_cases(const std::vector<BenchmarkJoint>& joints
   return cases;
 }
 
+// USID by the other reading of the thesis, entries at equal arcs.
+TouchCase equal_arcs(const BallSocketPair& pair, double precision_deg) {
+  const auto scan =
+      std::make_shared<TableScan<UsidArc>>(pair.ball, pair.socket, make_tables<UsidArc>(pair, precision_deg));
+  return {{std::string(UsidArc::name), "USID, equal arcs", "", 2},
+          [scan](const Pose& pose) { return scan->touches(pose); },
+          true};
+}
+
 }  // namespace
 
 BenchmarkJoint make_benchmark_joint(const BallSocketPair& pair, std::vector<Cell> key, double precision_deg) {
   const auto kept = std::make_shared<const BallSocketPair>(pair);
+  auto methods = cases_of(touch_methods(), &Method::touch, *kept, precision_deg);
+  methods.push_back(equal_arcs(*kept, precision_deg));
   return {std::move(key),
           static_cast<double>(pair.ball.faces.size()) * static_cast<double>(pair.socket.faces.size()),
           kept,
           pose_set(pair),
           {{"cgal_tree"}, make_cgal_tree(pair.ball, pair.socket)},
-          cases_of(touch_methods(), &Method::touch, *kept, precision_deg)};
+          std::move(methods)};
 }
 
 void write_benchmark(DriverRun& driver, Result result, const std::vector<Column>& key_columns,
@@ -61,6 +74,8 @@ void write_benchmark(DriverRun& driver, Result result, const std::vector<Column>
   Timing one_pair;
   result.table.columns = timing_columns(key_columns);
   result.table.columns.push_back({"gives_distance", "", "yes: the same work yields the gap at every vertex"});
+  result.table.columns.push_back({"triangles_of_both", "1", "triangles that the two models really have"});
+  result.table.columns.push_back({"queries", "1", "vertices of both, which a scan looks up"});
   for (const BenchmarkJoint& joint : joints) {
     add_labels(result.labels, joint.methods);
     for (const auto& method : joint.methods) {
@@ -70,6 +85,8 @@ void write_benchmark(DriverRun& driver, Result result, const std::vector<Column>
       auto row =
           measured ? timing_cells(find(timed, key)) : extrapolated_cells(key, scaled(one_pair, joint.pairs));
       row.emplace_back(method.gives_distance);
+      row.emplace_back(joint.pair->ball.faces.size() + joint.pair->socket.faces.size());
+      row.emplace_back(joint.pair->ball.vertices.size() + joint.pair->socket.vertices.size());
       result.table.add_row(std::move(row));
     }
   }

@@ -43,10 +43,12 @@ class KeepReference(unittest.TestCase):
         (self.results / "tables" / "a.tex").write_text("1")
         with (ROOT / "analysis" / "common" / "thesis_values.csv").open(newline="") as file:
             names = [[row["artefact"], row["row"], row["column"]] for row in csv.DictReader(file)]
-        rows = [[*name, "any", "differs" if k == 1 else "reproduced"] for k, name in enumerate(names)]
-        rows[0][3:] = ["not counted: the same number as elsewhere", "differs"]
+        rows = [[*name, "any", "differs" if k == 1 else "reproduced", "computed"] for k, name in enumerate(names)]
+        rows[0][3:] = ["not counted: the same number as elsewhere", "differs", "computed"]
+        rows[2][4:] = ["inconclusive", "measured"]
+        rows[3][4] = "input"
         self.counted = len(rows) - 1
-        self.verdicts([["artefact", "row", "column", "rule", "verdict"], *rows])
+        self.verdicts([["artefact", "row", "column", "rule", "verdict", "kind"], *rows])
 
     def tearDown(self):
         self.folder.cleanup()
@@ -92,7 +94,7 @@ class KeepReference(unittest.TestCase):
         (self.reference / "joint.png").write_text("a picture")
         done = self.keep()
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn(f"{self.counted} verdicts: {self.counted - 1} reproduced, 1 differs", done.stdout)
+        self.assertIn(f"{self.counted - 2} computed ({self.counted - 3} reproduced, 1 differs), 1 measured (1 inconclusive), 1 given", done.stdout)
         kept = {str(file.relative_to(self.reference)) for file in self.reference.rglob("*") if file.is_file()}
         self.assertEqual(kept, {"verdicts.csv", "tables/a.csv", "run.json", "joint.png"})
         for name in ("verdicts.csv", "tables/a.csv"):

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Ranges of what is measured, over rounds, stand-ins and readings, and what may be said of a whole range.
+
+Where a judgement is True, False or None, None means that the range does not decide it.
+"""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import pandas as pd
+
+import common
+
+# Ratios of times of two methods changed by up to this between the machines of the runs that were kept: an Intel Xeon
+# and an AMD EPYC (1.23, at 300 triangles).
+MACHINE = 1.25
+DISQUALIFIED = 2.0  # how far off, either way, a time may be that the run disqualified
+
+
+@dataclass(frozen=True)
+class Range:
+    """From low to high."""
+
+    low: float
+    high: float
+
+    def __truediv__(self, other: "Range") -> "Range":
+        return Range(self.low / other.high, self.high / other.low)
+
+    def widened(self, factor: float) -> "Range":
+        """Of a quantity above 0, by the factor both ways."""
+        return Range(self.low / factor, self.high * factor)
+
+    def within(self, least: float, most: float) -> bool | None:
+        """Whether all of it is from least to most."""
+        if least <= self.low and self.high <= most:
+            return True
+        return False if self.high < least or most < self.low else None
+
+
+def union(ranges: Iterable[Range]) -> Range:
+    """The least that holds all."""
+    ranges = list(ranges)
+    return Range(min(one.low for one in ranges), max(one.high for one in ranges))
+
+
+def all_of(judgements: Iterable[bool | None]) -> bool | None:
+    """True or False if every one is."""
+    found = set(judgements)
+    return found.pop() if len(found) == 1 else None
+
+
+def both(one: bool | None, other: bool | None) -> bool | None:
+    """Whether both hold."""
+    if False in (one, other):
+        return False
+    return None if None in (one, other) else True
+
+
+def time_range(line: pd.Series) -> Range:
+    """Of a time over its rounds: the interquartile range to either side of the median."""
+    ms, spread = line.measured_ms, line.iqr_ms if math.isfinite(line.iqr_ms) else 0.0
+    found = Range(max(ms - spread, ms / DISQUALIFIED), ms + spread)
+    return Range(ms, ms).widened(DISQUALIFIED) if line.inconclusive else found
+
+
+def slope_range(x: list[float], y: list[Range]) -> Range:
+    """Of the exponent of the power law that fits best in logarithms, for every choice from the ranges; a machine may favour
+    one end of the sizes.
+    """
+    logs = [math.log(value) for value in x]
+    mean = sum(logs) / len(logs)
+    norm = sum((value - mean) ** 2 for value in logs)
+    ends = [sorted((value - mean) / norm * math.log(bound) for bound in (one.low, one.high)) for value, one in zip(logs, y)]
+    machine = math.log(MACHINE) / (max(logs) - min(logs))
+    return Range(sum(low for low, _ in ends) - machine, sum(high for _, high in ends) + machine)
+
+
+def steadied(table: pd.DataFrame, kept: Path, keys: list[str], noted: str) -> pd.DataFrame:
+    """The rows, with the range of the kept run added to each that was measured by the same rule there: where that run came
+    to another verdict, neither is one, and the column `noted` says so.
+    """
+    if not kept.is_file():
+        return table
+    older = common.as_text(kept)
+    if not {"low", "high", *keys} <= set(older.columns):
+        return table
+    before = older.set_index(keys)
+    rows = []
+    for row in table.to_dict("records"):
+        key = tuple(row[name] for name in keys)
+        if row["low"] != "" and key in before.index and (was := before.loc[key]).low != "":
+            ours, theirs = (Range(float(one["low"]), float(one["high"])) for one in (row, was))
+            every = union([ours, theirs])
+            row |= {"low": common.plain(every.low), "high": common.plain(every.high)}
+            if was.verdict != row["verdict"]:
+                said = f"{row['verdict']} in this run, from {ours.low:g} to {ours.high:g}, and {was.verdict} in the kept one, from {was.low} to {was.high}"
+                row |= {"verdict": "inconclusive", noted: "; ".join(filter(None, [row[noted], said]))}
+        rows.append(row)
+    return pd.DataFrame(rows, columns=table.columns)
