@@ -16,7 +16,7 @@ import common
 # Ratios of times of two methods changed by up to this between the machines of the runs that were kept: an Intel Xeon
 # and an AMD EPYC (1.23, at 300 triangles).
 MACHINE = 1.25
-DISQUALIFIED = 2.0  # how far off, either way, a time may be that the run disqualified
+ONCE = 2.0  # how far off, either way, a time may be that was taken once
 
 
 @dataclass(frozen=True)
@@ -59,23 +59,26 @@ def both(one: bool | None, other: bool | None) -> bool | None:
     return None if None in (one, other) else True
 
 
-def time_range(line: pd.Series) -> Range:
-    """Of a time over its rounds: the interquartile range to either side of the median."""
-    ms, spread = line.measured_ms, line.iqr_ms if math.isfinite(line.iqr_ms) else 0.0
-    found = Range(max(ms - spread, ms / DISQUALIFIED), ms + spread)
-    return Range(ms, ms).widened(DISQUALIFIED) if line.inconclusive else found
-
-
-def slope_range(x: list[float], y: list[Range]) -> Range:
-    """Of the exponent of the power law that fits best in logarithms, for every choice from the ranges; a machine may favour
-    one end of the sizes.
+def time_range(time: float, spread: float, disqualified: bool = False) -> Range:
+    """Of a time over its rounds: the interquartile range to either side of the median, and for one that the run disqualified
+    what a machine may change besides; of a single round, which has no spread, more.
     """
-    logs = [math.log(value) for value in x]
+    if not spread > 0:
+        return Range(time, time).widened(ONCE if disqualified else 1)
+    return Range(max(time - spread, time / ONCE), time + spread).widened(MACHINE if disqualified else 1)
+
+
+def slope_range(x: Iterable[float], y: Iterable[Range]) -> Range:
+    """Of the exponent of the power law that fits best in logarithms: the ranges err by themselves, and a machine may favour one
+    end of the sizes.
+    """
+    logs, y = [math.log(value) for value in x], list(y)
     mean = sum(logs) / len(logs)
-    norm = sum((value - mean) ** 2 for value in logs)
-    ends = [sorted((value - mean) / norm * math.log(bound) for bound in (one.low, one.high)) for value, one in zip(logs, y)]
-    machine = math.log(MACHINE) / (max(logs) - min(logs))
-    return Range(sum(low for low, _ in ends) - machine, sum(high for _, high in ends) + machine)
+    weights = [(value - mean) / sum((other - mean) ** 2 for other in logs) for value in logs]
+    middle = sum(weight * math.log(one.low * one.high) / 2 for weight, one in zip(weights, y))
+    own = math.hypot(*(weight * math.log(one.high / one.low) / 2 for weight, one in zip(weights, y)))
+    off = own + math.log(MACHINE) / (max(logs) - min(logs))
+    return Range(middle - off, middle + off)
 
 
 def steadied(table: pd.DataFrame, kept: Path, keys: list[str], noted: str) -> pd.DataFrame:
@@ -91,7 +94,7 @@ def steadied(table: pd.DataFrame, kept: Path, keys: list[str], noted: str) -> pd
     rows = []
     for row in table.to_dict("records"):
         key = tuple(row[name] for name in keys)
-        if row["low"] != "" and key in before.index and (was := before.loc[key]).low != "":
+        if row.get("kind", "measured") == "measured" and row["low"] != "" and key in before.index and (was := before.loc[key]).low != "":
             ours, theirs = (Range(float(one["low"]), float(one["high"])) for one in (row, was))
             every = union([ours, theirs])
             row |= {"low": common.plain(every.low), "high": common.plain(every.high)}

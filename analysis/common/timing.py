@@ -10,6 +10,7 @@ from pathlib import Path
 import pandas as pd
 
 import common
+from common.ranges import Range, time_range
 
 
 @dataclass(frozen=True)
@@ -82,6 +83,11 @@ def compare(results: Path, table: TimingTable) -> pd.DataFrame:
     return pd.DataFrame(lines).sort_values(
         [table.key, "joint", "method"], key=lambda names: names.map(order.index), ignore_index=True
     )
+
+
+def spread(line: pd.Series) -> Range:
+    """The range of a time of compare(), ms."""
+    return time_range(line.measured_ms, line.iqr_ms, line.inconclusive)
 
 
 def latex(lines: pd.DataFrame, table: TimingTable) -> str:

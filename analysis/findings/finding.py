@@ -11,8 +11,9 @@ from types import FunctionType, ModuleType
 import pandas as pd
 
 import common
+from common.ranges import Range
 
-COLUMNS = ["where", "claim", "computed", "evidence", "verdict", "source"]
+COLUMNS = ["where", "claim", "computed", "low", "high", "evidence", "verdict", "source"]
 VERDICTS = ("holds", "wrong", "misprint", "imprecise", "inconclusive")
 ARITHMETIC = "no data: arithmetic with the thesis' own numbers"  # evidence of what needs no experiment
 READING = "no data: two places of the thesis' text, read"  # evidence of what no number of ours decides
@@ -35,19 +36,23 @@ def rows(module: ModuleType, results: Path) -> list[Finding]:
 
 
 def finding(where: str, claim: str, computed: str, evidence: str, **rest: object) -> Finding:
-    """A Finding. rest: holds (bool), otherwise (the verdict if it does not; wrong unless given),
-    source, the key of a reference that the statement is held against, and inconclusive: whether it rests on a timing
-    that was disqualified.
+    """A Finding. rest: holds (bool), or of what hangs on rounds, joints or a machine the `value`, a Range, and where all of it
+    must be `within`: a part of it decides nothing; otherwise (the verdict if it does not hold; wrong unless given),
+    source, the key of a reference that the statement is held against.
     """
     otherwise = str(rest.get("otherwise", "wrong"))
     if otherwise not in VERDICTS:
         raise ValueError(f"{otherwise} is no verdict on a statement: use one of {VERDICTS}")
+    value = rest.get("value")
+    holds = value.within(*rest["within"]) if isinstance(value, Range) else rest["holds"]
     return Finding(
         where=f"Section {where}" if where[0].isdigit() else where,
         claim=claim,
         computed=computed,
+        low=common.plain(value.low) if isinstance(value, Range) else "",
+        high=common.plain(value.high) if isinstance(value, Range) else "",
         evidence=evidence,
-        verdict="inconclusive" if rest.get("inconclusive") else "holds" if rest["holds"] else otherwise,
+        verdict="inconclusive" if holds is None else "holds" if holds else otherwise,
         source=str(rest.get("source", "")),
     )
 

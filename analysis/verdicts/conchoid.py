@@ -2,12 +2,13 @@
 # @data      conchoid_angles conchoid_shape conchoid_origins
 """Verdicts on the conchoid (Table 10, Section 5.1): lengths, adjusted rays, and what Figure 53 claims."""
 
+import math
 from pathlib import Path
 
 import pandas as pd
 
 import common
-from verdicts.verdict import input_row, printed_row, value_row
+from verdicts.verdict import input_row, not_counted, printed_row, value_row
 
 RAYS = 4  # of Table 10
 FINE_RAYS = 901  # of Figures 58 and 59
@@ -36,6 +37,10 @@ def table_10(angles: pd.DataFrame) -> list[dict]:
     lines = []
     for value in common.thesis("table-10").itertuples():
         i = int(value.row.removeprefix("i="))
+        if value.column == "adjustment_of_phi":
+            again = printed_row(value, ours["adjustment"][i])
+            lines.append(not_counted(again, f"the same number as table-10, {value.row}, adjustment"))
+            continue
         if i == 0 or value.column == "original_angle":
             lines.append(input_row(value, "given: rays at equal angles, of which the first is not turned"))
             continue
@@ -47,13 +52,27 @@ def table_10(angles: pd.DataFrame) -> list[dict]:
 def section_5_1(angles: pd.DataFrame, shape: pd.Series, origins: pd.DataFrame) -> list[dict]:
     """One for each value."""
     values = {(value.row, value.column): value for value in common.thesis("section-5.1").itertuples()}
+    ratio = shape.a_over_b
+    quarter, factor = (float(values["conchoid", name].value) for name in ("quarter_length_over_b", "length_factor"))
+    counts = {"at_1_degree": 91, "at_0.1_degrees": FINE_RAYS}
+    segments = counts["at_1_degree"] - 1
+    unrounded = math.sin(math.pi / 4) / segments
     return [
         input_row(values["conchoid", "a"]),
         input_row(values["conchoid", "b"]),
-        printed_row(values["conchoid", "a_over_b"], shape.a_over_b),
+        printed_row(values["conchoid", "a_over_b"], ratio),
+        printed_row(values["conchoid", "2ab_over_b2"], 2 * ratio, f"put for (a^2 + b^2) / b^2 as well, which is {ratio**2 + 1:.4f}"),
+        printed_row(values["conchoid", "4ab_over_b2"], 4 * ratio),
+        printed_row(values["conchoid", "length_factor"], 4 * math.sqrt(ratio)),
         printed_row(
             values["conchoid", "quarter_length_over_b"], shape.closed_form_quarter_over_b, quarter_note(shape)
         ),
+        printed_row(
+            values["rays", "step_of_the_sine"],
+            quarter / (segments * factor),
+            f"with the rounded constants; unrounded it is {unrounded:.6f}, which would print as {unrounded:.5f}",
+        ),
+        *(printed_row(values["rays", name], (angles.rays == count).sum()) for name, count in counts.items()),
         largest_adjustment(values["conchoid", "largest_adjustment"], angles),
         centre_claim(values["spacing", "centre_origin_excess"], origins),
         origin_claim(values["spacing", "conchoid_origin_excess"], origins.loc["conchoid_origin"]),
@@ -91,6 +110,7 @@ def claim_row(value, measured: str, verdict: str, rule: str, note: str) -> dict:
     """A claim in tens of per cent."""
     return value_row(
         value,
+        kind="computed",
         measured=measured,
         rule=f"within {CLAIM_TOLERANCE} percentage points{rule}",
         tolerance=f"{CLAIM_TOLERANCE} percentage points",

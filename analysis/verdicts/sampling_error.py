@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# @data      sampling_error slices slice_band_limit
-"""Verdicts on the sampling error (Table 5) and on the slices of a scan (Section 3.5.2)."""
+# @data      sampling_error slices slice_band_limit finding_grids
+"""Verdicts on the sampling error (Table 5), on the slices of a scan (Section 3.5.2) and on another's grids (Section 3.6.3)."""
 
 import math
 from pathlib import Path
@@ -13,8 +13,8 @@ COLUMNS = {"max_error": "formula_max_mm", "relative_error": "formula_relative"} 
 
 
 def rows(results: Path) -> list[dict]:
-    """Those of both."""
-    return formula_rows(results) + slice_rows(results)
+    """Those of all three."""
+    return formula_rows(results) + slice_rows(results) + grid_rows(results)
 
 
 def formula_rows(results: Path) -> list[dict]:
@@ -46,13 +46,16 @@ def slice_rows(results: Path) -> list[dict]:
     middle = limits.loc["slices, middle"]
     gaps = slices.gap_deg.dropna()
     smallest = gaps.min()
+    beside = int(slices.slice.max())
     computed = {
+        "above_the_middle": (beside, ""),
+        "below_the_middle": (beside, ""),
         "count": (2 * slices.slice.max() + 1, "the middle slice, and as many above it as below"),
         "smallest_gap": (smallest, f"all {len(gaps)} gaps run from {smallest:.2f} to {gaps.max():.2f} degrees"),
         "required_precision": (
-            smallest / 2,
-            f"half of the gap rounded to 3; half of {smallest:.2f} is {smallest / 2:.2f}, so 1.5 is on the safe "
-            "side. Nor is it what Shannon's theorem asks: samples a gap apart determine band limits up to "
+            round(smallest) / 2,
+            f"half of the gap rounded to {round(smallest)}, as the thesis has it; half of {smallest:.2f} is {smallest / 2:.2f}, so 1.5 is on the "
+            "safe side. Nor is it what Shannon's theorem asks: samples a gap apart determine band limits up to "
             f"L = {middle.band_limit:.0f}, and entries as far apart as the slices keep all of that; halving "
             "the distance serves the interpolation, not the theorem",
         ),
@@ -61,3 +64,15 @@ def slice_rows(results: Path) -> list[dict]:
         printed_row(value, *computed[value.column]) if value.column in computed else input_row(value)
         for value in common.thesis("section-3.5.2").itertuples()
     ]
+
+
+def grid_rows(results: Path) -> list[dict]:
+    """N rows of N columns: 180 degrees by N, and 360 by N."""
+    grids = common.load(results, "finding_grids").set_index("side")
+    lines = []
+    for value in common.thesis("section-3.6.3").itertuples():
+        if value.column == "precision":
+            line = grids.loc[int(value.row.partition("x")[0])]
+            note = f"{line.azimuth_step_deg:.1f} degrees in the azimuth; ten times as many degrees as printed are {10 * float(value.value):g}"
+            lines.append(printed_row(value, line.polar_step_deg, note, "thesis-misprint"))
+    return lines

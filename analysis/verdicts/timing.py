@@ -14,7 +14,7 @@ import pandas as pd
 
 import common
 from common import log_plot, timing
-from common.ranges import MACHINE, Range, all_of, both, slope_range, time_range, union
+from common.ranges import MACHINE, Range, all_of, both, slope_range, union
 from common.tally import NOT_COUNTED
 from verdicts.verdict import judged, not_counted, ranged, row, value_row
 
@@ -62,7 +62,7 @@ class Times:
         theirs = log_plot.slope(sizes, pd.Series([self.thesis[key, column] / self.thesis[key, timing.REFERENCE] for key in keys]))
         found = []
         for choice in self.choices(keys, [column, timing.REFERENCE]):
-            ratios = [time_range(way[column]) / time_range(way[timing.REFERENCE]) for way in choice]
+            ratios = [timing.spread(way[column]) / timing.spread(way[timing.REFERENCE]) for way in choice]
             found.append(slope_range([way[column]["size"] for way in choice], ratios))
         return theirs, union(found)
 
@@ -92,7 +92,7 @@ def doubts(*lines: pd.Series) -> list[str]:
     if any(line.extrapolated for line in lines):
         notes.append("ours is extrapolated from a smaller run")
     if any(line.inconclusive for line in lines):
-        notes.append("our timing was disqualified, one round or a busy machine, and counts as known to a factor of 2")
+        notes.append("our timing was disqualified, one round or a busy machine, and its range is widened")
     return notes
 
 
@@ -146,7 +146,7 @@ def time_row(times: Times, value) -> dict:
     found = value_row(
         value,
         measured=common.plain(ways[0].measured_ms) if ways else "",
-        **(ranged(union(time_range(line) for line in ways)) if ways else {}),
+        **(ranged(union(timing.spread(line) for line in ways)) if ways else {}),
         rule="times of different machines are not compared; see the ratios, the order and the growth",
         verdict="not-comparable",
         note="; ".join(notes),
@@ -159,7 +159,7 @@ def ratio_row(times: Times, name: str, column: str) -> dict:
     key = common.number(name)
     ways = times.ways(key, [column, timing.REFERENCE])
     theirs = times.thesis[key, column] / times.thesis[key, timing.REFERENCE]
-    found = {way: time_range(lines[column]) / time_range(lines[timing.REFERENCE]) for way, lines in ways.items()}
+    found = {way: timing.spread(lines[column]) / timing.spread(lines[timing.REFERENCE]) for way, lines in ways.items()}
     found = {way: one.widened(MACHINE) for way, one in found.items()}
     there, here = times.trend(column)
     same_trend = here.within(0, math.inf) if there > 0 else here.within(-math.inf, 0)
@@ -202,7 +202,7 @@ def order_row(times: Times, name: str, columns: list[str]) -> dict:
     ways = times.ways(key, columns)
     nearest, good = {}, {}
     for way, lines in ways.items():
-        steps = [time_range(lines[slow]) / time_range(lines[fast]) for fast, slow in zip(theirs, theirs[1:])]
+        steps = [timing.spread(lines[slow]) / timing.spread(lines[fast]) for fast, slow in zip(theirs, theirs[1:])]
         steps = [step.widened(MACHINE) for step in steps]
         nearest[way] = min(steps, key=lambda step: step.low)
         judgements = [step.within(1, math.inf) for step in steps]
@@ -241,7 +241,7 @@ def growth_row(times: Times, column: str) -> dict:
     found = {}
     for choice in choices:
         name = ", ".join(dict.fromkeys(f"{way[column].joint.replace('_', ' ')}, {common.label(way[column].method)}" for way in choice[-1:]))
-        found[name] = slope_range([way[column]["size"] for way in choice], [time_range(way[column]) for way in choice])
+        found[name] = slope_range([way[column]["size"] for way in choice], [timing.spread(way[column]) for way in choice])
     first = [way[column] for way in choices[0]]
     ours = log_plot.slope(pd.Series([line["size"] for line in first]), pd.Series([line.measured_ms for line in first]))
     good = {name: one.within(theirs - MOST_OFF, theirs + MOST_OFF) for name, one in found.items()}

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a verdict is: one line of verdicts.csv, and the rules that several tables share."""
 
+from collections.abc import Iterable
+
 import pandas as pd
 
 import common
@@ -29,9 +31,9 @@ def not_counted(line: dict[str, object], why: str) -> dict[str, object]:
     return {**line, "rule": NOT_COUNTED + why, "tolerance": ""}
 
 
-def ranged(found: Range) -> dict[str, str]:
+def ranged(found: Range, significant: int = 4) -> dict[str, str]:
     """The columns of a range."""
-    return {"low": common.plain(found.low), "high": common.plain(found.high)}
+    return {name: common.plain(end, significant) for name, end in (("low", found.low), ("high", found.high))}
 
 
 def judged(good: bool | None) -> str:
@@ -50,17 +52,20 @@ def rounds_to(measured: float, printed: str) -> bool:
     return float(f"{measured:.{decimals}f}") == float(printed)  # as numbers: -0 is 0
 
 
-def printed_row(value, measured: float, note: str = "", otherwise: str = "differs") -> dict[str, object]:
+def printed_row(value, measured: float, note: str = "", otherwise: str = "differs", also: Iterable[float] = ()) -> dict[str, object]:
     """A value that follows from a formula: reproduced when ours rounds to the digits printed, or else what
-    `otherwise` says; the note goes with it. value is a line of common.thesis().
+    `otherwise` says; the note goes with it. `also` are further values that the thesis may mean: all must round so, or none.
+    value is a line of common.thesis().
     """
-    good = rounds_to(measured, value.value)
+    every = [measured, *also]
+    good = {rounds_to(one, value.value) for one in every}
     return value_row(
         value,
         measured=common.plain(measured, 10),
+        **(ranged(Range(min(every), max(every)), 10) if also else {}),
         rule="equal when rounded to the digits printed",
         tolerance="half a unit of the last digit",
-        verdict="reproduced" if good else otherwise,
+        verdict="inconclusive" if len(good) > 1 else "reproduced" if good == {True} else otherwise,
         note=note,
     )
 

@@ -3,17 +3,20 @@
 // @writes    baselines baselines_samples
 // @bones     yes
 // @timing    yes
-// @seconds   13 120
-// @links     harness contact_poses real_joints methods baseline_methods reference
+// @seconds   20 160
+// @links     harness contact_poses real_joints methods baseline_methods reference hip
 //
 // Hu's table of voxels, Maciel's table of triangles and a Cartesian distance field, each at several
 // resolutions, beside RSID. Each is checked against exact distances or radii before it is timed, and judged
-// in poses on either side of exact contacts.
+// in poses on either side of exact contacts. The joints: the generated pair, the stand-ins for the thesis'
+// two patients, and real joints.
 
 #include "18_baselines/baseline_study.hpp"
 #include "harness/driver.hpp"
 #include "harness/real_joints.hpp"
 #include "harness/timing.hpp"
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
 #include "mesh/generated_pair.hpp"
 
 namespace {
@@ -34,8 +37,9 @@ BaselineSizes generated_sizes(bool quick) {
           2e8};
 }
 
-BaselineSizes real_sizes(bool quick) {
-  if (quick) return {{1.0}, {100}, {16}, {1.0}, 0.0};
+// Of hips. The thesis' 400 rays a side and its 1 degree are in both profiles.
+BaselineSizes hip_sizes(bool quick) {
+  if (quick) return {{1.0}, {100, 400}, {16}, {1.0}, 0.0};
   return {{2.0, 1.0, 0.5}, {10, 100, 400, 1600}, {32}, {1.0, 0.1}, 5e7};
 }
 
@@ -47,10 +51,18 @@ std::vector<BaselineJoint> joints_of(DriverRun& run) {
   ways.count = quick ? 10 : 40;
   joints.push_back({"generated", make_ball_socket_pair(quick ? kFacesInQuick : kFaces, impinging_cam()),
                     generated_sizes(quick), ways});
-  if (!run.bones) return joints;
   ways.count = quick ? 1 : 10;
+  for (const char* patient : {"patient_a", "patient_b"}) {
+    Hip hip = make_hip(hip_preset(patient), kFaces);
+    joints.push_back({patient,
+                      {std::move(hip.ball), std::move(hip.socket)},
+                      hip_sizes(quick),
+                      ways,
+                      quick ? 200U : 2000U});
+  }
+  if (!run.bones) return joints;
   for (const RealJoint& real : read_real_joints(*run.bones, run.progress))
-    joints.push_back({real.subject, real.meshes, real_sizes(quick), ways, quick ? 200U : 2000U});
+    joints.push_back({real.subject, real.meshes, hip_sizes(quick), ways, quick ? 200U : 2000U});
   return joints;
 }
 

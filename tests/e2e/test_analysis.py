@@ -17,7 +17,7 @@ import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 
 import common  # noqa: E402
-from common import drawing, log_plot, measured, pareto, ranges, timing, work_precision  # noqa: E402
+from common import drawing, log_plot, measured, pareto, ranges, tally, timing, work_precision  # noqa: E402
 from findings import finding  # noqa: E402
 from report import data_table, markup, reference  # noqa: E402
 from verdicts import conchoid as verdicts_conchoid, memory as verdicts_memory  # noqa: E402
@@ -140,9 +140,10 @@ class Findings(unittest.TestCase):
             finding.finding("Eq. 7", "", "", "")
         with self.assertRaises(ValueError):
             finding.finding("Eq. 7", "", "", "", holds=False, otherwise="bad")
-        for holds in (True, False):  # a time that says nothing settles nothing
-            line = finding.finding("Eq. 7", "", "", "", holds=holds, inconclusive=True)
-            self.assertEqual(line["verdict"], "inconclusive")
+        for low, high, found in ((1, 2, "holds"), (1, 4, "inconclusive"), (4, 5, "misprint")):  # a part settles nothing
+            value = ranges.Range(low, high)
+            line = finding.finding("Eq. 7", "", "", "", value=value, within=(0, 3), otherwise="misprint")
+            self.assertEqual((line["verdict"], line["low"], line["high"]), (found, str(low), str(high)))
 
     def test_one(self):
         table = pd.DataFrame({"k": [1, 2, 2], "x": [3.0, 4.0, 5.0]})
@@ -252,12 +253,22 @@ class Verdict(unittest.TestCase):
         )
 
 
+    def test_several_values(self):
+        """All that the thesis may mean must round to its digits, or none."""
+        value = next(common.thesis("table-5").itertuples())
+        printed = float(value.value)
+        for also, found in (([printed], "reproduced"), ([2 * printed], "inconclusive")):
+            line = verdict.printed_row(value, printed, also=also)
+            self.assertEqual((line["verdict"], line["kind"], float(line["high"])), (found, "computed", also[0]))
+
     def test_counted(self):
-        """Sums leave out what is not counted, whatever its verdict."""
+        """Sums leave out what is not counted, whatever its verdict; what was computed and what was measured are apart."""
         kept = verdict.row("t", "a", "x", rule="any", verdict="differs")
         rows = pd.DataFrame([kept, verdict.not_counted(kept, "the same number as u, a, x")])
         self.assertEqual(list(verdict.counted(rows).rule), ["any"])
         self.assertEqual(list(rows.verdict), ["differs", "differs"])
+        more = [verdict.row("t", "b", "x", kind="computed", rule="any", verdict=name) for name in ("reproduced", "input")]
+        self.assertEqual(tally.said([*rows.to_dict("records"), *more]), "1 computed (1 reproduced), 1 measured (1 differs), 1 given")
 
 
 class TimedVerdicts(unittest.TestCase):
@@ -405,6 +416,31 @@ class TimedVerdicts(unittest.TestCase):
         self.assertEqual(rows["table-8", "1deg", "order"]["verdict"], "reproduced")
 
 
+class Ranges(unittest.TestCase):
+    """Against what is drawn at random from them."""
+
+    def test_slope(self):
+        """Straight lines through points within the ranges: nearly all slopes lie inside, and the exact one in the middle."""
+        random = np.random.default_rng(7)
+        x = np.array([300.0, 1000, 3000, 12000])
+        y = [ranges.Range(value**1.5 / 1.3, value**1.5 * 1.3) for value in x]
+        found = ranges.slope_range(x, y)
+        drawn = [log_plot.slope(pd.Series(x), pd.Series(x**1.5 * 1.3 ** random.uniform(-1, 1, 4))) for _ in range(300)]
+        self.assertGreater(np.mean([found.low < slope < found.high for slope in drawn]), 0.95)
+        self.assertAlmostEqual((found.low + found.high) / 2, 1.5)
+
+    def test_times(self):
+        for time, spread, disqualified, low, high in ((8, 2, False, 6, 10), (8, 7, False, 4, 15), (8, 0, True, 4, 16), (10, 2, True, 6.4, 15)):
+            found = ranges.time_range(time, spread, disqualified)
+            self.assertAlmostEqual(found.low, low)
+            self.assertAlmostEqual(found.high, high)
+
+    def test_within(self):
+        value = ranges.Range(1, 2)
+        self.assertEqual([value.within(*ends) for ends in ((0, 3), (1.5, 3), (3, 4), (-1, 0.5))], [True, None, False, False])
+        self.assertEqual([ranges.both(*pair) for pair in ((True, True), (True, None), (False, None), (True, False))], [True, None, False, False])
+
+
 class Steadied(unittest.TestCase):
     """The kept run's range counts where its rule is the same."""
 
@@ -504,7 +540,7 @@ class Memory(unittest.TestCase):
 
     def test_contradiction(self):
         values = common.thesis("table-7")
-        found = {value.row: verdicts_memory.contradiction(value, values) for value in values.itertuples()}
+        found = {value.row: verdicts_memory.contradiction(value, values) for value in values.itertuples() if value.column == "memory"}
         slips = [row for row, words in found.items() if words]
         self.assertEqual(slips, ["0.1deg"])
         self.assertEqual(found["0.1deg"]["otherwise"], "thesis-misprint")
@@ -512,11 +548,12 @@ class Memory(unittest.TestCase):
 
 
     def test_equator(self):
-        """Counted on every turn across the equator; the formula decides nothing."""
+        """Counted on every turn across the equator, by both readings of the helix; the formula decides nothing."""
         (value,) = [v for v in common.thesis("table-6").itertuples() if (v.row, v.column) == ("0.1deg", "equator_points")]
-        for least, most, found in ((3600, 3601, "reproduced"), (3601, 3601, "reproduced"), (3599, 3600, "differs")):
-            line = pd.Series({"equator_least": least, "equator_most": most, "equator_points": 3601})
-            self.assertEqual(verdicts_memory.equator_row(value, line)["verdict"], found)
+        cases = (((3600, 3601), (3601, 3601), "reproduced"), ((3599, 3600), (3602, 3602), "differs"), ((3600, 3601), (3600, 3600), "inconclusive"))
+        for *counted, found in cases:
+            line, arcs = (pd.Series({"equator_least": least, "equator_most": most, "equator_points": 3601}) for least, most in counted)
+            self.assertEqual(verdicts_memory.equator_row(value, line, arcs)["verdict"], found)
 
 
 if __name__ == "__main__":
