@@ -59,13 +59,14 @@ def both(one: bool | None, other: bool | None) -> bool | None:
     return None if None in (one, other) else True
 
 
-def time_range(time: float, spread: float, disqualified: bool = False) -> Range:
-    """Of a time over its rounds: the interquartile range to either side of the median, and for one that the run disqualified
-    what a machine may change besides; of a single round, which has no spread, more.
+def time_range(time: float, spread: float, rounds: int) -> Range:
+    """Of the median of a time over its rounds, from its interquartile range (the notch of McGill, Tukey and Larsen 1978, doi:10.1080/
+    00031305.1978.10479236); of a single round, which has no spread, a factor.
     """
-    if not spread > 0:
-        return Range(time, time).widened(ONCE if disqualified else 1)
-    return Range(max(time - spread, time / ONCE), time + spread).widened(MACHINE if disqualified else 1)
+    if rounds < 2:
+        return Range(time, time).widened(ONCE)
+    off = 1.57 * spread / math.sqrt(rounds)
+    return Range(max(time - off, time / ONCE), time + off)
 
 
 def slope_range(x: Iterable[float], y: Iterable[Range]) -> Range:

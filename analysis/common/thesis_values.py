@@ -27,22 +27,23 @@ def counterparts(artefact: str) -> dict[str, str]:
     return dict(reversed([(column, method) for column, method in zip(table.thesis_column, table.method) if column]))
 
 
-def readings(artefact: str) -> dict[str, dict[str, str]]:
-    """Every way to read such a table, by its name: the method that then stands for each column. The first is counterparts().
-    Readings of the same columns exclude each other.
+def readings(artefact: str) -> list[dict[str, str]]:
+    """Every way to read such a table: the method that then stands for each column. The first is counterparts(). Readings of the
+    same columns exclude each other.
     """
     table = _counterparts(artefact)
     table = table[table.thesis_column != ""]
-    fixed = dict(zip(*(table[table.reading == ""][name] for name in ("thesis_column", "method"))))
-    groups: dict[tuple, list[tuple[str, dict[str, str]]]] = {}
-    for name, rows in table[table.reading != ""].groupby("reading", sort=False):
+    groups: dict[tuple, list[dict[str, str]]] = {}
+    for _, rows in table.groupby("reading", sort=False):
         methods = dict(zip(rows.thesis_column, rows.method))
-        groups.setdefault(tuple(methods), []).append((str(name), methods))
-    found = {}
-    for choice in itertools.product(*groups.values()):
-        name = ", ".join(name for name, _ in choice)
-        found[name] = fixed | {column: method for _, methods in choice for column, method in methods.items()}
-    return found
+        groups.setdefault(tuple(methods), []).append(methods)
+    return [{column: method for methods in choice for column, method in methods.items()} for choice in itertools.product(*groups.values())]
+
+
+def reading_names(artefact: str) -> dict[tuple[str, str], str]:
+    """What it means that a method stands for a column, where it could be another."""
+    table = _counterparts(artefact)
+    return {(row.thesis_column, row.method): row.reading for row in table.itertuples() if row.reading}
 
 
 def methods_of(artefact: str) -> list[str]:

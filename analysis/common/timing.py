@@ -73,6 +73,7 @@ def compare(results: Path, table: TimingTable) -> pd.DataFrame:
                 "thesis_ms": thesis_ms,
                 "measured_ms": row.median_ms,
                 "iqr_ms": row.iqr_ms,
+                "rounds": row.rounds,
                 "extrapolated": row.extrapolated,
                 "inconclusive": row.get("inconclusive", False) or disqualified(ours, method, f"{key:g}", *[joint][:by_joint]),
                 "thesis_ratio": thesis_ms / theirs.get((key, REFERENCE), math.nan),
@@ -87,7 +88,7 @@ def compare(results: Path, table: TimingTable) -> pd.DataFrame:
 
 def spread(line: pd.Series) -> Range:
     """The range of a time of compare(), ms."""
-    return time_range(line.measured_ms, line.iqr_ms, line.inconclusive)
+    return time_range(line.measured_ms, line.iqr_ms, line.rounds)
 
 
 def latex(lines: pd.DataFrame, table: TimingTable) -> str:

@@ -158,7 +158,7 @@ def search(results: Path) -> Finding:
     times = times[times.scheme.map(labels).str.contains(POLYHEDRA, case=False)]
     found = {}
     for name, rows in times.groupby("scheme"):
-        few, many = (time_range(line.median_ns, line.iqr_ns, line.inconclusive) for line in (rows.iloc[0], rows.iloc[-1]))
+        few, many = (time_range(line.median_ns, line.iqr_ns, line.rounds) for line in (rows.iloc[0], rows.iloc[-1]))
         found[name] = (many / few).widened(MACHINE)
     growth = times.entries.max() / times.entries.min()
     listed = ", ".join(f"{labels[name]} {value.low:.2f} to {value.high:.2f}" for name, value in found.items())

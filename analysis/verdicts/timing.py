@@ -44,13 +44,15 @@ class Times:
         """Every way to have our times of these columns in a row, named by joint and reading; what is the same once."""
         found: dict[str, dict[str, pd.Series]] = {}
         seen = set()
+        named = common.reading_names(self.table.artefact)
         for joint in self.joints(key):
-            for reading, methods in self.readings.items():
+            for methods in self.readings:
                 chosen = (joint, *(methods[column] for column in columns))
                 if chosen in seen or any((key, joint, methods[column]) not in self.by_name for column in columns):
                     continue
                 seen.add(chosen)
-                name = ", ".join(filter(None, [joint.replace("_", " ") if len(self.joints(key)) > 1 else "", reading]))
+                words = [word for column in columns if (word := named.get((column, methods[column])))]
+                name = ", ".join(dict.fromkeys([*([joint.replace("_", " ")] if len(self.joints(key)) > 1 else []), *words]))
                 found[name] = {column: self.by_name[key, joint, methods[column]] for column in columns}
         return found
 
@@ -69,7 +71,7 @@ class Times:
     def choices(self, keys: list[float], columns: list[str]) -> list[list[dict[str, pd.Series]]]:
         """A way for each row, by one reading, with each joint of the last rows."""
         found = []
-        for methods in self.readings.values():
+        for methods in self.readings:
             for joint in {joint: 0 for key in keys for joint in self.joints(key)}:
                 rows = [[self.by_name.get((key, name, methods[column])) for column in columns]
                         for key in keys for name in [joint if joint in self.joints(key) else timing.GENERATED]]
@@ -92,7 +94,7 @@ def doubts(*lines: pd.Series) -> list[str]:
     if any(line.extrapolated for line in lines):
         notes.append("ours is extrapolated from a smaller run")
     if any(line.inconclusive for line in lines):
-        notes.append("our timing was disqualified, one round or a busy machine, and its range is widened")
+        notes.append("the run doubts our timing: one round, or a busy machine")
     return notes
 
 

@@ -286,7 +286,7 @@ class TimedVerdicts(unittest.TestCase):
 
     def write(self, results: Path, table: timing.TimingTable, change, inconclusive: tuple[str, ...], more: list | None):
         """Our CSV of a table: the thesis' times, a tenth of them; 1 s where it has none."""
-        methods = {(column, one[column]): 0 for one in common.readings(table.artefact).values() for column in one}
+        methods = {(column, one[column]): 0 for one in common.readings(table.artefact) for column in one}
         times = timing.thesis_times(table)
         lines = []
         for key, column, method, ms in ((*name, method, ms) for name, ms in times.items() for of, method in methods if of == name[1]):
@@ -327,7 +327,7 @@ class TimedVerdicts(unittest.TestCase):
         self.assertEqual(rows["table-8", "growth", "rsid"]["thesis"], "0.84")
 
     def test_the_range_decides(self):
-        """Reproduced or different only if all of it is: rounds, readings of the thesis, joints, a disqualified time."""
+        """Reproduced or different only if all of it is: rounds, readings of the thesis, joints."""
         name = ("table-8", "0.5deg", "usid/rsid")
 
         def times(factor: float, spread: float = 0.0, method: str = "usid_thesis_kept"):
@@ -338,7 +338,7 @@ class TimedVerdicts(unittest.TestCase):
 
             return change
 
-        for factor, spread, found in ((2, 0, "reproduced"), (2, 0.4, "inconclusive"), (3, 0, "inconclusive"), (9, 0, "inconclusive")):
+        for factor, spread, found in ((2, 0, "reproduced"), (2, 0.6, "inconclusive"), (3, 0, "inconclusive"), (9, 0, "inconclusive")):
             line = self.rows(times(factor, spread))[name]
             self.assertEqual(line["verdict"], found, (factor, spread))
             self.assertTrue(float(line["low"]) <= float(line["measured"]) <= float(line["high"]), line)
@@ -349,8 +349,11 @@ class TimedVerdicts(unittest.TestCase):
             line["median_ms"] *= 9 if line["method"].startswith("usid") and line.get("precision_deg") == 0.5 else 1
 
         self.assertEqual(self.rows(slow)[name]["verdict"], "differs")
-        self.assertEqual(self.rows(slow, ("usid_thesis/0.5/3000",))[name]["verdict"], "differs")
-        self.assertEqual(self.rows(times(2.2), ("usid_thesis_kept/0.5/3000",))[name]["verdict"], "inconclusive")
+
+        def once(line):
+            line["rounds"] = 1
+
+        self.assertEqual(self.rows(once)[name]["verdict"], "inconclusive")
 
     def test_joints(self):
         """A second joint of 12,000 triangles at which the ratio is another: it hangs on the stand-in."""
@@ -365,7 +368,7 @@ class TimedVerdicts(unittest.TestCase):
         again = []
         line = self.rows(other, more=again)["table-9", "12k", "rapid/rsid"]
         self.assertEqual(line["verdict"], "inconclusive")
-        self.assertIn("other hip, steps of Eq. 10", line["note"])
+        self.assertIn("other hip, 0.0226 to 0.0353: does not", line["note"])
 
     def test_the_opposite_trend(self):
         """Every ratio within half an order of magnitude, but falling where the thesis' rise."""
@@ -430,10 +433,14 @@ class Ranges(unittest.TestCase):
         self.assertAlmostEqual((found.low + found.high) / 2, 1.5)
 
     def test_times(self):
-        for time, spread, disqualified, low, high in ((8, 2, False, 6, 10), (8, 7, False, 4, 15), (8, 0, True, 4, 16), (10, 2, True, 6.4, 15)):
-            found = ranges.time_range(time, spread, disqualified)
-            self.assertAlmostEqual(found.low, low)
-            self.assertAlmostEqual(found.high, high)
+        """Most medians lie in the range of another of the same times; once is a factor of two."""
+        random = np.random.default_rng(3)
+        drawn = 10 + random.normal(size=(400, 15))
+        found = [ranges.time_range(float(np.median(one)), float(np.subtract(*np.quantile(one, (0.75, 0.25)))), 15) for one in drawn]
+        self.assertGreater(np.mean([one.low < other < one.high for one, other in zip(found, np.median(drawn[::-1], axis=1))]), 0.65)
+        self.assertLess(np.mean([one.high - one.low for one in found]), 1.35)
+        self.assertEqual(ranges.time_range(8, 0, 1), ranges.Range(4, 16))
+        self.assertEqual(ranges.time_range(8, 40, 9).low, 4)
 
     def test_within(self):
         value = ranges.Range(1, 2)
