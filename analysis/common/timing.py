@@ -40,12 +40,6 @@ def thesis_times(table: TimingTable) -> dict[tuple[float, str], float]:
     return {(common.number(v.row), v.column): common.number(v.value) for v in values.itertuples()}
 
 
-def disqualified(table: pd.DataFrame, *parts: str) -> bool:
-    """Whether the run disqualified a timing of the table whose key has all these parts: a method, a precision ..."""
-    keys = (table.attrs.get("timing") or {}).get("inconclusive", [])
-    return any(set(parts) <= set(key.split("/")) for key in keys)
-
-
 def compare(results: Path, table: TimingTable) -> pd.DataFrame:
     """One row for each row of the table, joint and method of ours: thesis and measured time, and both as ratios to the
     reference. Methods without a counterpart in the thesis' table are there too. `size` is what times grow with: 1 / precision,
@@ -55,8 +49,7 @@ def compare(results: Path, table: TimingTable) -> pd.DataFrame:
     theirs = thesis_times(table)
     column_of = {method: column for column, method in common.counterparts(table.artefact).items()}
     reference = common.counterparts(table.artefact)[REFERENCE]
-    by_joint = "joint" in ours
-    ours = ours if by_joint else ours.assign(joint=GENERATED)
+    ours = ours if "joint" in ours else ours.assign(joint=GENERATED)
     times = {(row[table.key], row.joint, row.method): row for _, row in ours.iterrows()}
     lines = []
     for (key, joint, method), row in times.items():
@@ -74,8 +67,9 @@ def compare(results: Path, table: TimingTable) -> pd.DataFrame:
                 "measured_ms": row.median_ms,
                 "iqr_ms": row.iqr_ms,
                 "rounds": row.rounds,
+                **({"queries": row.queries} if "queries" in row else {}),
                 "extrapolated": row.extrapolated,
-                "inconclusive": row.get("inconclusive", False) or disqualified(ours, method, f"{key:g}", *[joint][:by_joint]),
+                "inconclusive": row.inconclusive,
                 "thesis_ratio": thesis_ms / theirs.get((key, REFERENCE), math.nan),
                 "measured_ratio": row.median_ms / base.median_ms if base is not None else math.nan,
             }
@@ -104,8 +98,7 @@ def latex(lines: pd.DataFrame, table: TimingTable) -> str:
     ):
         body += ["\\midrule", f"\\multicolumn{{{layout.count('r') + 1}}}{{@{{}}l}}{{\\itshape {title}}} \\\\"]
         for (key, joint), group in lines.groupby([table.key, "joint"], sort=False):
-            place = "" if joint == GENERATED else f" ({common.tex(joint.replace('_', ' '))})"
-            cells = [table.row_format.format(key) + place]
+            cells = [row_title(table, key, joint)]
             for method in methods:
                 line = group[group.method == method]
                 if method in with_thesis:
@@ -113,6 +106,11 @@ def latex(lines: pd.DataFrame, table: TimingTable) -> str:
                 cells.append(_cell(line[ours]) + ("\\textsuperscript{\\dag}" if line.extrapolated.any() else ""))
             body.append(cells)
     return common.tabular(layout, head, body)
+
+
+def row_title(table: TimingTable, key: float, joint: str) -> str:
+    """What a row is called, in LaTeX."""
+    return table.row_format.format(key) + ("" if joint == GENERATED else f" ({common.tex(joint.replace('_', ' '))})")
 
 
 def _short(method: str) -> str:

@@ -8,9 +8,9 @@
 the timed data.
 
 Keys: count:VERDICT and :all, count:ARTEFACT:VERDICT or :all that were not given, each number of the thesis once;
-count:KIND:VERDICT and :all for computed, measured and given; thesis, measured and rounded:ARTEFACT:ROW:COLUMN;
+count:KIND:VERDICT and :all for computed, measured and given; thesis, measured, low and rounded:ARTEFACT:ROW:COLUMN;
 exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; ratio:DATA:KEY:METHOD/METHOD of our
-times, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA; finding:VERDICT, :all;
+times of the generated pair, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA; finding:VERDICT, :all;
 one for each number of further CSVs (see MODULES), as scheme:usid:covering_constant;
 difference:JOINT:SURFACE:largest (mm), :changed and :vertices of the gaps by the thesis' two tables; and the
 machine: cpu, cores, compiler, flags, commit and profile.
@@ -45,6 +45,7 @@ def verdict_facts(verdicts: pd.DataFrame) -> dict[str, str]:
         facts |= {
             f"thesis:{name}": grouped(row.thesis),
             f"measured:{name}": grouped(row.measured),
+            f"low:{name}": rounded(row.low),
             f"rounded:{name}": rounded(row.measured),
         }
     return facts
@@ -70,7 +71,8 @@ def rounded(text: str) -> str:
 def timing_facts(results: Path, table: timing.TimingTable) -> dict[str, str]:
     """Growth of each method, ratios, rounds, control and inconclusive cases of a timed table."""
     lines = timing.compare(results, table)
-    size = lines[table.key] if table.key != "precision_deg" else 1 / lines[table.key]
+    lines = lines[lines.joint == timing.GENERATED]
+    size = lines["size"]
     facts = {}
     for method in lines.method.unique():
         mine = (lines.method == method) & ~lines.extrapolated

@@ -19,11 +19,9 @@ def main(options) -> common.Table:
     scans = set(data[data.gives_distance].method)
     lines = timing.compare(options.results, timing.TABLE_9)
     lines = lines[lines.method.isin(scans)].copy()
-    queries = {int(key): value for key, value in data.attrs["parameters"]["queries"].items()}
-    lines["queries"] = lines.triangles.map(queries)
     lines["thesis_ns"] = 1e6 * lines.thesis_ms / lines.queries
     lines["measured_ns"] = 1e6 * lines.measured_ms / lines.queries
-    lines = lines[["triangles", "queries", "method", "thesis_ns", "measured_ns", "extrapolated", "inconclusive"]]
+    lines = lines[["triangles", "joint", "queries", "method", "thesis_ns", "measured_ns", "extrapolated", "inconclusive"]]
     return lines, latex(lines)
 
 
@@ -33,10 +31,10 @@ def latex(lines: pd.DataFrame) -> str:
     spans = [f"\\multicolumn{{2}}{{c}}{{{common.label(method)}}}" for method in methods]
     rules = [f"\\cmidrule(lr){{{3 + 2 * i}-{4 + 2 * i}}}" for i in range(len(methods))]
     rows = []
-    for (triangles, queries), group in lines.groupby(["triangles", "queries"]):
+    for (triangles, joint, queries), group in lines.groupby(["triangles", "joint", "queries"], sort=False):
         times = group.set_index("method").loc[methods, ["thesis_ns", "measured_ns"]].to_numpy().ravel()
         cells = [common.digits(value) or "---" for value in times]
-        rows.append([f"{triangles:,.0f}", f"{queries:,.0f}", *cells])
+        rows.append([timing.row_title(timing.TABLE_9, triangles, joint), f"{queries:,.0f}", *cells])
     titles = ["Triangles a model", "queries", *["thesis & here"] * len(methods)]
     return common.tabular(f"@{{}}ll{'rr' * len(methods)}@{{}}", [["", "", *spans], "".join(rules), titles], rows)
 

@@ -99,8 +99,8 @@ def doubts(*lines: pd.Series) -> list[str]:
 
 
 def sides(judgements: dict[str, bool | None], found: dict[str, Range]) -> list[str]:
-    """Where the ways do not agree, what each says."""
-    if all_of(judgements.values()) is not None:
+    """What each way says, where there are several or it does not decide."""
+    if len(found) == 1 and all_of(judgements.values()) is not None:
         return []
     words = {True: "meets the rule", False: "does not", None: "may or may not"}
     return [f"{name or 'over rounds and machines'}, {found[name].low:.3g} to {found[name].high:.3g}: {words[good]}"

@@ -274,17 +274,17 @@ class Verdict(unittest.TestCase):
 class TimedVerdicts(unittest.TestCase):
     """Tables 3, 4, 8 and 9 with the thesis' own times for ours, but for what a test changes."""
 
-    def rows(self, change=None, inconclusive: tuple[str, ...] = (), more: list | None = None) -> dict[tuple[str, str, str], dict]:
+    def rows(self, change=None, more: list | None = None) -> dict[tuple[str, str, str], dict]:
         """The verdicts by artefact, row and column; change(line) may alter a line of ours, in place, and add to more."""
         with tempfile.TemporaryDirectory() as folder:
             results = Path(folder)
             (results / "data").mkdir()
             for table in (timing.TABLE_8, timing.TABLE_9):
-                self.write(results, table, change, inconclusive, more)
+                self.write(results, table, change, more)
             found = verdicts_timing.rows(results)
         return {(line["artefact"], line["row"], line["column"]): line for line in found}
 
-    def write(self, results: Path, table: timing.TimingTable, change, inconclusive: tuple[str, ...], more: list | None):
+    def write(self, results: Path, table: timing.TimingTable, change, more: list | None):
         """Our CSV of a table: the thesis' times, a tenth of them; 1 s where it has none."""
         methods = {(column, one[column]): 0 for one in common.readings(table.artefact) for column in one}
         times = timing.thesis_times(table)
@@ -300,6 +300,7 @@ class TimedVerdicts(unittest.TestCase):
                 "iqr_ms": 0.0,
                 "rounds": 9,
                 "extrapolated": "no",
+                "inconclusive": "no",
             }
             if change:
                 change(line)
@@ -308,8 +309,7 @@ class TimedVerdicts(unittest.TestCase):
         csv = results / "data" / f"{table.data}.csv"
         pd.DataFrame(lines).to_csv(csv, index=False)
         digest = hashlib.sha256(csv.read_bytes()).hexdigest()
-        record = {"csv_sha256": digest, "timing": {"inconclusive": list(inconclusive)}}
-        csv.with_suffix(".json").write_text(json.dumps(record))
+        csv.with_suffix(".json").write_text(json.dumps({"csv_sha256": digest}))
 
     def test_the_same_times(self):
         """Everything that is judged comes out; what stands in two tables is counted in one."""
