@@ -130,7 +130,7 @@ def main() -> int:
     except Refused as refusal:
         print(f"keep_reference: {refusal}", file=sys.stderr)
         return 1
-    tables = [output for output in is_csv if output.startswith("tables/")]
+    tables = [output for output in outputs if output.startswith("tables/") and not output.endswith(".tex")]
     keep(results, tables, run, options.reference)
     print(
         f"{options.reference}: verdicts and {len(tables)} tables of commit {run['commit'][:12]}, full profile"

@@ -51,7 +51,7 @@ def run(main: Callable[[argparse.Namespace], Table | Figure | None], *more: str)
     if made is not None:
         job = job_of(script, getattr(options, "name", None))
         if isinstance(made, tuple):
-            write_table(options.out, job["name"], *made)
+            write_table(options.out, job["name"], job["question"], *made)
         else:
             save_figure(made, options.out, job["name"], job["outputs"].split())
     sys.exit(0)

@@ -17,7 +17,7 @@ KEYS = {
            "links"},
 }  # fmt: skip
 ROOMS = {
-    "tables": {"kind": "table", "outputs": "csv tex"},
+    "tables": {"kind": "table", "outputs": "csv json tex"},
     "figures": {"kind": "figure", "outputs": "svg png pdf", "seconds": "2 2"},
     "verdicts": {"kind": "verdicts"},
     "findings": {"kind": "table"},

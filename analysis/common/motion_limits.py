@@ -64,12 +64,3 @@ def text(row) -> str:
 def between(low: float, high: float) -> str:
     """A proven interval, its ends rounded outward."""
     return f"{common.rounded_down(low, 1)} to {common.rounded_up(high, 1)}"
-
-
-def interval(row) -> str:
-    """The limit for every common centre within half a millimetre: both ends, or what is known of them."""
-    if row.state == "blocked":
-        return ""
-    if pd.isna(row.centre_high_deg):
-        return f"{common.rounded_down(row.centre_low_deg, 1)} or more"
-    return between(row.centre_low_deg, row.centre_high_deg)

@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writing text and tables."""
 
+import io
+import json
+import re
 from collections.abc import Iterable
 from pathlib import Path
 
 import pandas as pd
+
+from common.sidecars import digest
 
 
 def write(path: Path, text: str) -> None:
@@ -57,9 +62,40 @@ def groups(first: str, widths: list[tuple[str, int]]) -> tuple[str, list[str | l
     return f"@{{}}l{'r' * (column - 2)}@{{}}", [["", *spans], rules, [first, *titles]]
 
 
-def write_table(out: Path, name: str, table: pd.DataFrame, latex: str) -> None:
-    """tables/NAME.csv for machines and tables/NAME.tex for the paper."""
+# What the end of a column's name says of its unit; without one a number has the unit 1, and a word none.
+UNITS = {
+    "deg": "deg", "mm": "mm", "mm2": "mm^2", "mm3": "mm^3", "um": "um", "nm": "nm", "s": "s", "ms": "ms", "us": "us", "ns": "ns",
+    "mib": "MiB", "KiB": "KiB", "MB": "MB", "kB": "kB", "bytes": "byte", "percent": "percent", "hours": "h", "mpa": "MPa",
+}  # fmt: skip
+NUMBER = re.compile(r"[<>~*†]?\s?-?\d[\d,]*(\.\d+)?(e[+-]?\d+)?\s?[%*†]?")
+
+
+def unit_of(name: str, column: pd.Series) -> str:
+    """Of a column of a table, once read again."""
+    if not pd.api.types.is_numeric_dtype(column):
+        return ""
+    words = name.replace(",", " ").replace("_", " ").split()
+    return next((UNITS[word] for word in reversed(words) if word in UNITS), "1")
+
+
+def columns_of(name: str, text: str) -> list[dict[str, str]]:
+    """Names and units of what pandas reads in a table. ValueError where it finds numbers that are written as text, with separators,
+    signs or units of their own.
+    """
+    table = pd.read_csv(io.StringIO(text))
+    for column in table.select_dtypes(object):
+        cells = table[column].dropna().astype(str)
+        if column != "unit" and (bad := [cell for cell in cells if NUMBER.fullmatch(cell)]):
+            raise ValueError(f"tables/{name}.csv: column {column} holds {bad[0]!r} among words: write numbers alone, and words beside them")
+    return [{"name": column, "unit": unit_of(column, table[column])} for column in table.columns]
+
+
+def write_table(out: Path, name: str, question: str, table: pd.DataFrame, latex: str) -> None:
+    """tables/NAME.csv for machines, its sidecar with units, and tables/NAME.tex for the paper."""
     flags = table.select_dtypes(bool).columns
     table = table.assign(**{flag: table[flag].map({True: "yes", False: "no"}) for flag in flags})
-    write(out / "tables" / f"{name}.csv", table.to_csv(index=False, lineterminator="\n"))
+    text = table.to_csv(index=False, lineterminator="\n")
+    record = {"question": question, "columns": columns_of(name, text), "csv_sha256": digest(text.encode())}
+    write(out / "tables" / f"{name}.csv", text)
+    write(out / "tables" / f"{name}.json", json.dumps(record, indent=2) + "\n")
     write(out / "tables" / f"{name}.tex", latex)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      findings
 # @question  Which statements of the thesis hold, which do not, and what shows it?
-# @outputs   tables/findings.csv tables/findings.tex
+# @outputs   tables/findings.csv tables/findings.json tables/findings.tex
 # @depends   results/reference/tables/findings.csv
 """Statements of the thesis, of the note that suspected it, and of other papers, that a computation confirms or refutes.
 

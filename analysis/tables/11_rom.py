@@ -26,14 +26,16 @@ def main(options) -> common.Table:
                 f"{patient}_deg": thesis[patient][motion],
                 f"{patient}_stand_in_smallest_gap_mm": common.plain(end.smallest_gap_mm, 3),
                 f"{patient}_stand_in_clock": replay.clock(end.clock_hours),
-                f"{patient}_stand_in_limit_deg": motion_limits.text(limits.loc[(patient, motion)]),
+                f"{patient}_stand_in_limit_state": limits.state[patient, motion],
+                f"{patient}_stand_in_limit_low_deg": limits.limit_low_deg[patient, motion],
+                f"{patient}_stand_in_limit_high_deg": limits.limit_high_deg[patient, motion],
             }
         lines.append(line)
     table = pd.DataFrame(lines)
-    return table, latex(table)
+    return table, latex(table, limits)
 
 
-def latex(table: pd.DataFrame) -> str:
+def latex(table: pd.DataFrame, limits: pd.DataFrame) -> str:
     """Degrees as printed; gap, clock position and limit of the stand-in beside."""
     rows = []
     for row in table.to_dict("records"):
@@ -41,7 +43,7 @@ def latex(table: pd.DataFrame) -> str:
         for patient in PATIENTS:
             gap = float(row[f"{patient}_stand_in_smallest_gap_mm"])
             cells += [row[f"{patient}_deg"], f"{gap:.2f}", row[f"{patient}_stand_in_clock"]]
-            cells.append(row[f"{patient}_stand_in_limit_deg"])
+            cells.append(motion_limits.text(limits.loc[(patient, row["motion"])]))
         rows.append(cells)
     return common.tabular(
         r"@{}lrrrrrrrr@{}",

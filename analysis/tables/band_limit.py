@@ -36,14 +36,19 @@ HEADS = {
 def main(options) -> common.Table:
     table = common.load(options.results, options.data)
     if "asked" in table:
-        table.insert(3, "carried", [carried(line) for line in table.itertuples()])
+        shares = table.asked == "power_share"
+        table.insert(3, "carried_percent", (100 * table.value).where(shares))
+        table.insert(4, "left_out_mm", table.value.where(~shares))
         table = table.drop(columns=["asked", "value"])
-    return table, latex(table)
+        shown = table.assign(carried=[carried(line) for line in table.itertuples()])
+    else:
+        shown = table
+    return table, latex(shown)
 
 
 def carried(line) -> str:
     """What the band limit is to reach."""
-    return f"{100 * line.value:g} %" if line.asked == "power_share" else f"all but {line.value:g} mm"
+    return f"all but {line.left_out_mm:g} mm" if pd.isna(line.carried_percent) else f"{line.carried_percent:g} %"
 
 
 def latex(table: pd.DataFrame) -> str:

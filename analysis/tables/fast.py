@@ -18,10 +18,9 @@ def main(options) -> common.Table:
     table = pd.concat([fast.load(options.results, state, scenes="") for state in ("warm", "cold")])
     cases = ["scene", "method", "setting", "storage", "triangles", "direction", "instruction_set", "threads", "state"]
     rows = table[cases].copy()
-    rows["KiB"] = (table.bytes / 1024).map(common.digits)
+    rows["KiB"] = table.bytes / 1024
     for name in ("build_ms", "error_um", "ns_vertex", "iqr_ns", "times_embree"):
-        significant = 3 if name == "ns_vertex" else 2
-        rows[name] = [common.digits(value, significant) for value in table[name]]
+        rows[name] = table[name]
     return rows, latex(fast.plain_rows(warm))
 
 

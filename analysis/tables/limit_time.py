@@ -12,11 +12,9 @@ from common import limit_time
 
 def main(options) -> common.Table:
     table = limit_time.load(options.results)
-    rows = table[["joint", "faces", "line", "step_deg", "motions", "asked", "missed", "extrapolated"]].copy()
-    for name in ("largest_error_deg", "median_error_deg"):
-        rows[name] = [common.digits(value, 2) for value in table[name]]
-    for name in ("building_ms", "cpu_ms", "times_ours"):
-        rows[name] = [common.digits(value, 2) for value in table[name]]
+    columns = ["joint", "faces", "line", "step_deg", "motions", "asked", "missed", "extrapolated", "largest_error_deg",
+               "median_error_deg", "building_ms", "cpu_ms", "times_ours"]
+    rows = table[columns]
     return rows.rename(columns={"line": "method"}), latex(table)
 
 

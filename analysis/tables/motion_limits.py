@@ -24,21 +24,23 @@ def main(options) -> common.Table:
             {
                 "joint": motion_limits.label(row.joint),
                 "motion": motion_limits.MOTIONS[row.motion],
-                "limit_deg": motion_limits.text(row),
+                **ends(row, "limit"),
                 "clock": "" if pd.isna(row.clock) else row.clock,
-                "any_centre_deg": motion_limits.interval(row),
-                "half_mm_gap_deg": half_mm_gap(row),
+                "any_centre_low_deg": row.centre_low_deg,
+                "any_centre_high_deg": row.centre_high_deg,
+                "half_mm_gap_deg": row.half_mm_gap_deg,
                 "hangs_on_less": row.hangs_on_less,
-                "about_socket_centre_deg": "" if other is None else motion_limits.text(other),
+                **({} if other is None else ends(other, "about_socket_centre")),
+                "shown": motion_limits.text(row),
             }
         )
     table = pd.DataFrame(rows)
-    return table, latex(table)
+    return table.drop(columns="shown"), latex(table)
 
 
-def half_mm_gap(row) -> str:
-    """No vertex is as near before."""
-    return "" if pd.isna(row.half_mm_gap_deg) else common.rounded_down(row.half_mm_gap_deg, 1)
+def ends(row, name: str) -> dict:
+    """A limit in numbers: between which angles it lies, and what it is; open above where nothing is known."""
+    return {f"{name}_state": row.state, f"{name}_low_deg": row.limit_low_deg, f"{name}_high_deg": row.limit_high_deg}
 
 
 def latex(table: pd.DataFrame) -> str:
@@ -50,7 +52,7 @@ def latex(table: pd.DataFrame) -> str:
         cells = []
         for joint in joints:
             found = table[(table.joint == joint) & (table.motion == motion)]
-            cells.append(" ".join(found.iloc[0][["limit_deg", "clock"]]).strip() if len(found) else "")
+            cells.append(" ".join(found.iloc[0][["shown", "clock"]]).strip() if len(found) else "")
         lines.append(motion.replace("°", r"\textdegree{}") + " & " + " & ".join(cells) + r" \\")
     return common.tabular("l" + "r" * len(joints), ["motion & " + " & ".join(names) + r" \\"], lines)
 

@@ -11,15 +11,19 @@ def main(options) -> common.Table:
     totals = common.load(options.results, "scene_needs_totals")
     rows = totals[["scene"]].copy()
     for name in ("tables", "needed"):
-        rows[f"{name}_MB"] = (totals[f"{name}_bytes"] / 1e6).map(common.digits)
-        rows[f"{name}_ms"] = (totals[f"{name}_us"] / 1e3).map(common.digits)
+        rows[f"{name}_MB"] = totals[f"{name}_bytes"] / 1e6
+        rows[f"{name}_ms"] = totals[f"{name}_us"] / 1e3
     for name, unit in (("bytes_ratio", "bytes"), ("time_ratio", "us")):
-        rows[name] = (totals[f"tables_{unit}"] / totals[f"needed_{unit}"]).map(lambda ratio: common.digits(ratio, 2))
+        rows[name] = totals[f"tables_{unit}"] / totals[f"needed_{unit}"]
     head = [
         r" & \multicolumn{2}{c}{whole tables} & \multicolumn{2}{c}{needed} & \multicolumn{2}{c}{times less} \\",
         r"scene & MB & ms & MB & ms & memory & time \\",
     ]
-    lines = [[common.tex(scene), *cells] for scene, *cells in rows.itertuples(index=False)]
+    lines = [
+        [common.tex(scene), *map(common.digits, cells), *(common.digits(ratio, 2) for ratio in ratios)]
+        for scene, *cells, in_bytes, in_time in rows.itertuples(index=False)
+        for ratios in [(in_bytes, in_time)]
+    ]
     return rows, common.tabular("lrrrrrr", head, lines)
 
 

@@ -22,7 +22,7 @@ def main(options) -> common.Table:
     table = next(table for table in timing.TABLES if table.artefact == options.name)
     lines = timing.compare(options.results, table)
     lines = lines[lines.method.isin(common.methods_of(table.artefact))]
-    return lines, timing.latex(lines, table)
+    return lines.drop(columns="size"), timing.latex(lines, table)
 
 
 common.run(main, "--name")

@@ -11,6 +11,8 @@ import pandas as pd
 import common
 from common import motion_limits, volume
 
+EXTRAPOLATED = ", extrapolated, s"  # ends the columns of other ways
+
 
 def main(options) -> common.Table:
     beside = volume.beside(options.results)
@@ -20,17 +22,19 @@ def main(options) -> common.Table:
         rows.append(
             {
                 "joint": motion_limits.label(row.joint),
-                "width": f"{row.width:g}",
-                "free_share": between(row.low, row.high),
-                "reachable_share": between(row.reachable_low, row.reachable_high),
-                "cells": f"{row.cells:,}",
-                "time_s": common.digits(row.time_s, 2),
-                "reach_deg": common.digits_up(row.covering_deg, 2),
-                "grid_poses": common.digits(row.grid_poses, 2),
+                "width": row.width,
+                "free_share_low": row.low,
+                "free_share_high": row.high,
+                "reachable_share_low": row.reachable_low,
+                "reachable_share_high": row.reachable_high,
+                "cells": row.cells,
+                "time_s": row.time_s,
+                "reach_deg": row.covering_deg,
+                "grid_poses": row.grid_poses,
             }
-            | {f"{line}, extrapolated": volume.duration(s) for line, s in zip(own.line, own.needed_s)}
+            | {f"{line}{EXTRAPOLATED}": s for line, s in zip(own.line, own.needed_s)}
         )
-    table = pd.DataFrame(rows).fillna("")
+    table = pd.DataFrame(rows)
     return table, latex(table)
 
 
@@ -41,11 +45,17 @@ def between(low: float, high: float) -> str:
 
 def latex(table: pd.DataFrame) -> str:
     """A line a joint and width."""
-    shown = table.drop(columns=["reach_deg"])
-    words = [name.replace("_s", ", s").replace("_", " ").replace(", extrapolated", "*") for name in shown]
-    head = [" & ".join(common.tex(word) for word in words) + r" \\"]
-    lines = [[common.tex(str(cell)) for cell in row] for row in shown.itertuples(index=False)]
-    return common.tabular("l" + "r" * (len(words) - 1), head, lines)
+    others = [name for name in table if name.endswith(EXTRAPOLATED)]
+    head = ["joint", "width", "free share", "reachable share", "cells", "time, s", "grid poses"]
+    words = [*head, *(name.removesuffix(EXTRAPOLATED) + "*" for name in others)]
+    lines = []
+    for row in table.to_dict("records"):
+        shares = [between(row[f"{name}_low"], row[f"{name}_high"]) for name in ("free_share", "reachable_share")]
+        times = ["" if pd.isna(row[name]) else volume.duration(row[name]) for name in others]
+        cells = [row["joint"], f"{row['width']:g}", *shares, f"{row['cells']:,}", common.digits(row["time_s"], 2),
+                 common.digits(row["grid_poses"], 2), *times]
+        lines.append([common.tex(cell) for cell in cells])
+    return common.tabular("l" + "r" * (len(words) - 1), [[common.tex(word) for word in words]], lines)
 
 
 common.run(main)

@@ -200,6 +200,30 @@ class Numbers(unittest.TestCase):
         self.assertEqual(common.tex("50 % of a_b"), r"50 \% of a\_b")
 
 
+class Written(unittest.TestCase):
+    """Tables are read by pandas as numbers, with units beside them."""
+
+    def test_units(self):
+        table = pd.DataFrame({"joint": ["a", "b"], "build_ms": [1234.5, np.nan], "free_share_low": [0.1, 0.2], "held": [True, False],
+                              "thesis_mib": ["0.40", "1.98"], "ODE, extrapolated, s": [1.0, 2.0]})
+        with tempfile.TemporaryDirectory() as folder:
+            common.write_table(Path(folder), "t", "What?", table, "latex")
+            record = common.sidecar(Path(folder) / "tables" / "t.csv")
+            read = pd.read_csv(Path(folder) / "tables" / "t.csv")
+        self.assertEqual([column["unit"] for column in record["columns"]], ["", "ms", "1", "", "MiB", "s"])
+        self.assertEqual([column["name"] for column in record["columns"]], list(read))
+        self.assertEqual(read.build_ms[0], 1234.5)
+        self.assertEqual(record["question"], "What?")
+
+    def test_numbers_as_text_are_refused(self):
+        for cell in ("1,234", "12†", "99 %", "< 0.001", "1e-7*", "7"):
+            with self.assertRaisesRegex(ValueError, "tables/t.csv: column x holds"):
+                common.write_table(Path("/nowhere"), "t", "", pd.DataFrame({"x": ["word", cell]}), "")
+        for cell in ("12:30", "1-2", "0.5 deg", "n=291", "10 x 10"):
+            with self.assertRaises(OSError):  # words: only there is no such folder
+                common.write_table(Path("/dev/null/t"), "t", "", pd.DataFrame({"x": ["word", cell]}), "")
+
+
 class Pareto(unittest.TestCase):
     """What no other point beats, by the definition alone."""
 

@@ -73,7 +73,7 @@ class Heads(unittest.TestCase):
         scripts = "analysis/tables/one.py analysis/common/__init__.py analysis/common/part.py".split()
         self.assertEqual(one["depends"], files + scripts)
         self.assertEqual((one["kind"], one["question"], one["budget"]), ("table", "One?", [1, 1]))
-        self.assertEqual(one["outputs"], ["tables/t.csv", "tables/t.tex"])
+        self.assertEqual(one["outputs"], ["tables/t.csv", "tables/t.json", "tables/t.tex"])
         self.assertEqual((of_q["question"], of_q["outputs"]), ("Of q?", ["tables/t-q.csv"]))
         self.assertEqual(of_q["command"][4:], ["--results", "/results", "--name", "t-q", "--all", "p,q"])
         self.assertEqual(found["t-all"]["budget"], [2, 3])

@@ -40,6 +40,7 @@ class KeepReference(unittest.TestCase):
         self.data("a")
         self.data("b", started_utc="2026-01-01T00:00:00Z")
         (self.results / "tables" / "a.csv").write_text("x\n1\n")
+        (self.results / "tables" / "a.json").write_text("{}")
         (self.results / "tables" / "a.tex").write_text("1")
         with (ROOT / "analysis" / "common" / "thesis_values.csv").open(newline="") as file:
             names = [[row["artefact"], row["row"], row["column"]] for row in csv.DictReader(file)]
@@ -55,7 +56,7 @@ class KeepReference(unittest.TestCase):
 
     def graph(self, profile: str, results: Path | str = ""):
         """The graph of a run."""
-        made = ["data/a.csv data/a.json", "data/b.csv data/b.json", "tables/a.csv tables/a.tex", "verdicts.csv"]
+        made = ["data/a.csv data/a.json", "data/b.csv data/b.json", "tables/a.csv tables/a.json tables/a.tex", "verdicts.csv"]
         job = dict.fromkeys("name kind question script depends command budget".split())
         jobs = [{**job, "outputs": files.split()} for files in made]
         record = {"results": str(results or self.results), "profile": profile, "jobs": jobs}
@@ -96,7 +97,7 @@ class KeepReference(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn(f"{self.counted - 2} computed ({self.counted - 3} reproduced, 1 differs), 1 measured (1 inconclusive), 1 given", done.stdout)
         kept = {str(file.relative_to(self.reference)) for file in self.reference.rglob("*") if file.is_file()}
-        self.assertEqual(kept, {"verdicts.csv", "tables/a.csv", "run.json", "joint.png"})
+        self.assertEqual(kept, {"verdicts.csv", "tables/a.csv", "tables/a.json", "run.json", "joint.png"})
         for name in ("verdicts.csv", "tables/a.csv"):
             self.assertEqual((self.reference / name).read_bytes(), (self.results / name).read_bytes())
         run = json.loads((self.reference / "run.json").read_text())

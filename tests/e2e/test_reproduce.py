@@ -231,6 +231,9 @@ class Reproduce(unittest.TestCase):
         """By its captions, which are typed here; what is made, is not."""
         made = {name for name in promised() if re.fullmatch(r"figure-\d+", name)}
         self.assertEqual(made, {f"figure-{n}" for n in range(1, 64) if n not in BORROWED})
+        table = rows(RESULTS / "tables" / "thesis-figures.csv")
+        self.assertEqual({int(row["figure"]) for row in table if row["made"] == "no" and row["source"]}, BORROWED)
+        self.assertEqual({row["name"] for row in table if row["made"] == "yes"}, made)
 
     def test_i_what_differs_says_why(self):
         """With a number that was computed: none of the row's own, nor how far they are apart."""
