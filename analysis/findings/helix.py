@@ -158,7 +158,7 @@ def search(results: Path) -> Finding:
     times = times[times.scheme.map(labels).str.contains(POLYHEDRA, case=False)]
     found = {}
     for name, rows in times.groupby("scheme"):
-        few, many = (time_range(line.median_ns, line.iqr_ns, line.rounds) for line in (rows.iloc[0], rows.iloc[-1]))
+        few, many = (time_range(line.median_ms, line.iqr_ms, line.rounds) for line in (rows.iloc[0], rows.iloc[-1]))
         found[name] = (many / few).widened(MACHINE)
     growth = times.entries.max() / times.entries.min()
     listed = ", ".join(f"{labels[name]} {value.low:.2f} to {value.high:.2f}" for name, value in found.items())
@@ -167,7 +167,7 @@ def search(results: Path) -> Finding:
         "To look up on a subdivided polyhedron takes a search, O(n log n) for n vertices.",
         f"The cell follows in closed form. With {growth:,.0f} times as many entries, where a search takes twice as many steps, "
         f"the time to find them changes by the factor {listed}.",
-        "stencil_time: median_ns, iqr_ns",
+        "stencil_time: median_ms, iqr_ms",
         value=union(found.values()),
         within=(SEARCH, math.inf),
         source="baumgardner1985",

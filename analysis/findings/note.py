@@ -197,8 +197,8 @@ def misprints(results: Path) -> list[Finding]:
     return [
         finding(
             row.artefact.replace("table-", "Table ").replace("section-", ""),
-            f"{row.row}, {row.column.replace('_', ' ')}: {row.thesis} {row.unit}.",
-            f"{rounded(float(row.measured), 5)} {row.unit}: {row.note}.",
+            f"{row.row.replace('_', ' ')}, {row.column.replace('_', ' ')}: {row.thesis} {row.unit}.",
+            f"{float(row.measured):,.5g} {row.unit}: {row.note}.",
             "verdicts.csv: measured",
             holds=False,
             otherwise="misprint",
