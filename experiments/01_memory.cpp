@@ -1,23 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  How large is the table of each scheme at each precision? (Tables 2, 6 and 7)
-// @writes    lut_memory
+// @question  How large is the table of each scheme at each precision, and how much memory does filling it
+// take? (Tables 2, 6 and 7)
+// @writes    lut_memory fill_memory
 // @timing    no
-// @seconds   10 10
-// @links     harness table
+// @seconds   20 20
+// @links     harness table methods
 //
 // Every table is really made and filled with a surface that has a rim. Its bytes are those of its radii, and
-// those of its rim mask beside them; the allocator is asked whether it handed out more.
+// those of its rim mask beside them; the allocator is asked whether it handed out more. While a table is
+// filled everything that C++ allocates is counted: the thesis fills its helix by way of a grid, which is
+// there as well.
 
+#include <algorithm>
 #include <array>
+#include <atomic>
+#include <cstdlib>
+#include <new>
 
 #include <malloc.h>
 
 #include "harness/driver.hpp"
 #include "harness/equator_turn.hpp"
 #include "mesh/generated_pair.hpp"
+#include "methods/fill_method.hpp"
 #include "sphere/scheme.hpp"
 #include "sphere/scheme_list.hpp"
 #include "table/exact_raster.hpp"
+
+namespace {
+
+// Bytes that operator new has handed out, and the most of them at a time since the last reset.
+std::atomic<std::size_t> in_use{0};
+std::atomic<std::size_t> peak{0};
+
+void* counted(void* block) {
+  if (block == nullptr) throw std::bad_alloc();
+  const std::size_t now = in_use += ::malloc_usable_size(block);
+  peak = std::max(peak.load(), now);
+  return block;
+}
+
+void uncounted(void* block) noexcept {
+  in_use -= ::malloc_usable_size(block);
+  std::free(block);  // NOLINT(cppcoreguidelines-no-malloc)
+}
+
+}  // namespace
+
+// Of the whole program, one thread.
+void* operator new(std::size_t size) { return counted(std::malloc(std::max<std::size_t>(size, 1))); }
+void* operator new(std::size_t size, std::align_val_t align) {
+  const auto to = static_cast<std::size_t>(align);
+  return counted(std::aligned_alloc(to, (size + to) / to * to));
+}
+void operator delete(void* block) noexcept { uncounted(block); }
+void operator delete(void* block, std::size_t /*size*/) noexcept { uncounted(block); }
+void operator delete(void* block, std::align_val_t /*align*/) noexcept { uncounted(block); }
+void operator delete(void* block, std::size_t /*size*/, std::align_val_t /*align*/) noexcept {
+  uncounted(block);
+}
 
 namespace {
 
@@ -96,6 +137,34 @@ struct AddRows {
   }
 };
 
+template <SamplingScheme S>
+void add_filling(Table& table, const TriangleMesh& socket, const FillMethod<S>& method) {
+  for (const double precision : kPrecisions) {
+    const S scheme = S::with_precision(precision);
+    const std::size_t before = in_use;
+    peak = before;
+    const auto filled = method.fill(socket, scheme, Layer::nearest);
+    table.add_row({method.name, precision, filled.bytes(), in_use - before, peak - before});
+  }
+}
+
+// fill_memory.csv: what is there at a time while one table is filled, by the thesis' ways and ours.
+Result fill_memory(const TriangleMesh& socket) {
+  Result result{"fill_memory",
+                "How much memory does filling a table take at its peak?",
+                {{{"method", "", "rsid_thesis, usid_thesis: as the thesis; rsid, usid: exact raster"},
+                  {"precision_deg", "deg", "spacing of the entries at the equator"},
+                  {"bytes", "byte", "radii and rim mask of the table"},
+                  {"kept_bytes", "byte", "allocated by C++ when it is filled"},
+                  {"peak_bytes", "byte", "the most at a time while it was filled"}}}};
+  add_filling(result.table, socket, kRsidThesis);
+  add_filling(result.table, socket, kUsidThesis);
+  add_filling(result.table, socket, kRsid);
+  add_filling(result.table, socket, kUsid);
+  result.parameters = {{"triangles", kTriangles}, {"filled_with", "generated socket"}};
+  return result;
+}
+
 void body(DriverRun& run) {
   Result result{"lut_memory",
                 "How large is the table of each scheme at each precision?",
@@ -118,6 +187,7 @@ void body(DriverRun& run) {
   const BallSocketPair pair = make_ball_socket_pair(kTriangles);
   for_each_scheme(AddRows{result.table, pair.socket});
   run.write(result);
+  run.write(fill_memory(pair.socket));
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ void add_method(const StudiedJoint& joint, const MotionVolume& volume, const Con
     if (state == CellState::free && touches[k]) ++in_free;
     if (state == CellState::blocked && !touches[k]) ++in_blocked;
   }
-  if (method.contact == Contact::vertices && in_free + in_blocked > 0)
+  if (method.contact == lab::Contact::vertices && in_free + in_blocked > 0)
     throw std::runtime_error(joint.name + ": " + std::to_string(in_free + in_blocked) +
                              " rotations are not what their cells say");
   const auto clear = std::ranges::count(touches, false);

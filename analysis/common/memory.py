@@ -19,6 +19,7 @@ def ours(results: Path, artefact: str) -> pd.DataFrame:
 
 def compare(results: Path, artefact: str) -> pd.DataFrame:
     """One row for each precision of the table; the thesis' digits are text."""
+    filling = common.load(results, "fill_memory").set_index(["method", "precision_deg"])
     thesis = common.thesis(artefact).pivot(index="row", columns="column", values="value")
     return pd.DataFrame(
         [
@@ -30,6 +31,7 @@ def compare(results: Path, artefact: str) -> pd.DataFrame:
                 "thesis_mib": thesis.memory[f"{precision:g}deg"],
                 "measured_mib": row.bytes / MIB,
                 "filled_mib": row.filled_bytes / MIB,
+                "peak_mib": filling.peak_bytes[f"{SCHEMES[artefact]}_thesis", precision] / MIB,
             }
             for precision, row in ours(results, artefact).iterrows()
             if f"{precision:g}deg" in thesis.index
@@ -38,11 +40,14 @@ def compare(results: Path, artefact: str) -> pd.DataFrame:
 
 
 def cells(line) -> list[str]:
-    """Entries and MiB of a line of compare(), thesis and here, and MiB once a rim mask is beside the radii."""
+    """Entries and MiB of a line of compare(), thesis and here, MiB once a rim mask is beside the radii, and the most at a time
+    while it is filled as in the thesis.
+    """
     return [
         f"{line.thesis_entries:,}",
         f"{line.measured_entries:,.0f}",
         line.thesis_mib,
         f"{line.measured_mib:,.3f}",
         f"{line.filled_mib:,.3f}",
+        f"{line.peak_mib:,.3f}",
     ]

@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# @data      conchoid_angles conchoid_origins conchoid_shape conchoid_surface
+# @data      conchoid_angles conchoid_origins conchoid_shape conchoid_surface weighted_sampling
 """Statements on the conchoid (Section 5.1)."""
 
 import math
 from pathlib import Path
 
 import common
+from common.ranges import Range
 from findings.finding import Finding, finding, load, rounded
 
 RAYS = 4  # of the thesis' example
 FINE_RAYS = 901  # of its Figures 58 and 59
+GAIN = 0.9  # of an error: what is worth an adjustment
 
 
 def excess(one: float, other: float) -> float:
@@ -119,4 +121,23 @@ def on_the_surface(results: Path) -> Finding:
         f"factor is {spread.equal_area_spiral:.2f}.",
         "conchoid_surface: smallest_mm2, largest_mm2",
         holds=spread.thesis_rings < 1.5,
+    )
+
+
+def weighted(results: Path) -> Finding:
+    """Section 5.1, as the scheme that it never became: at the same number of entries, by the error of gaps on every cap."""
+    table = common.load(results, "weighted_sampling").set_index(["joint", "precision_deg", "scheme"])
+    grid, rings, area = (table.xs(scheme, level="scheme") for scheme in ("rsid", "weighted_rings", "conchoid"))
+    by_rings = rings.rms_um / grid.rms_um
+    by_area = area.rms_um * area.entries / (grid.rms_um * grid.entries)
+    joints = table.index.unique("joint")
+    return finding(
+        "5.1",
+        "The rays have to be adjusted to fit the hip joint's shape, so that its surface is equally sampled.",
+        f"With as many entries, the adjusted rays change the error of a gap (root mean square) on {len(joints)} caps by the factor "
+        f"{by_rings.min():.2f} to {by_rings.max():.2f} of the grid's. Equal areas, at equal entries, by {by_area.min():.2f} to {by_area.max():.2f}.",
+        "weighted_sampling: rms_um, entries",
+        value=Range(by_rings.min(), by_rings.max()),
+        within=(0, GAIN),
+        otherwise="imprecise",
     )

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      table-7
 # @question  Entries and memory of the USID table at four precisions, beside RSID's (Table 7 of the thesis).
-# @data      lut_memory
+# @data      lut_memory fill_memory
 """Table 7, entries and memory of the USID table, and those of RSID that it is compared with: thesis beside ours."""
 
 import common
@@ -28,7 +28,7 @@ def main(options) -> common.Table:
         ]
         for line in lines.itertuples()
     ]
-    groups = [("entries", 2), ("memory, MiB", 2), ("with rim", 1)]
+    groups = [("entries", 2), ("memory, MiB", 2), ("with rim", 1), ("at peak", 1)]
     groups += [("RSID, MiB", 2), ("with rim", 1), ("saved, \\%", 1), ("with rim", 1)]
     return lines, common.tabular(*common.groups("Precision", groups), rows)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# @data      lut_memory
+# @data      lut_memory fill_memory
 """Verdicts on entries, turns and memory (Tables 2, 6 and 7, Figure 47, and what the text says of them): what our tables really take."""
 
 import math
@@ -25,11 +25,12 @@ GRID = "grid_"  # how columns on RSID begin in tables on USID
 def rows(results: Path) -> list[dict]:
     """One for each value of the tables, then those in the text."""
     table = common.load(results, "lut_memory").set_index(["scheme", "precision_deg"])
-    lines = [line for artefact, scheme in memory.SCHEMES.items() for line in table_rows(table, artefact, scheme)]
+    peaks = common.load(results, "fill_memory").set_index(["method", "precision_deg"]).peak_bytes
+    lines = [line for artefact, scheme in memory.SCHEMES.items() for line in table_rows(table, peaks, artefact, scheme)]
     return lines + text_rows(table) + helix_rows()
 
 
-def table_rows(table, artefact: str, scheme: str) -> list[dict]:
+def table_rows(table, peaks, artefact: str, scheme: str) -> list[dict]:
     """One for each value; of USID, both readings."""
     lines = []
     values = common.thesis(artefact)
@@ -43,7 +44,8 @@ def table_rows(table, artefact: str, scheme: str) -> list[dict]:
         name, divisor = COLUMNS[value.column]
         extra = contradiction(value, values)
         if value.column == "memory":
-            mask = f"{line.filled_bytes / memory.MIB:.4g} MiB with the rim mask of a filled table"
+            peak = peaks[f"{of}_thesis", common.number(value.row)] / memory.MIB
+            mask = f"{line.filled_bytes / memory.MIB:.4g} MiB with the rim mask of a filled table, {peak:.4g} at the peak of filling it as in the thesis"
             extra["note"] = "; ".join(filter(None, [extra.get("note"), mask]))
         found = printed_row(value, line[name] / divisor, also=[arcs[name] / divisor] if of == "usid" else [], **extra)
         lines.append(not_counted(found, f"the same number as table-2, {value.row}, memory") if value.column == "grid_memory" else found)
