@@ -21,6 +21,7 @@
 #include "harness/timing.hpp"
 #include "mesh/generated_pair.hpp"
 #include "methods/fill_method.hpp"
+#include "sphere/schemes/usid_arc.hpp"
 
 namespace {
 
@@ -65,6 +66,11 @@ TimedCase make_case(const FillMethod<S>& method, const BallSocketPair& pair, dou
   };
   return timed;
 }
+
+// USID by the other reading of the thesis, entries at equal arcs; at fine precisions finding these takes
+// minutes.
+constexpr FillMethod<UsidArc> kUsidArcThesis{"usid_arc_thesis", fill_resampled<UsidArc>, resampling_bound};
+constexpr double kFinestArcs = 0.5;  // degrees
 
 // Both fillings of tables that are there already; the first makes them.
 void add_kept(std::vector<TimedCase>& cases, const BallSocketPair& pair, double precision) {
@@ -148,6 +154,7 @@ std::vector<TimedCase> make_cases(const BallSocketPair& pair, bool quick) {
     cases.push_back(make_case(kUsidThesis, pair, precision));
     cases.back().rounds = rounds_by_grid(precision);
     cases.push_back(make_case(kUsid, pair, precision));
+    if (precision >= kFinestArcs) cases.push_back(make_case(kUsidArcThesis, pair, precision));
     add_kept(cases, pair, precision);
   }
   return cases;
@@ -160,7 +167,9 @@ void body(DriverRun& run) {
   const std::vector<Column> keys{
       {"method", "",
        "pairwise, usid_pairwise: every ray against every face, prepared once a face; pairwise_thesis: the "
-       "plain test of each pair; rsid_thesis, usid_thesis: in short time, as the thesis; the same with "
+       "plain test of each pair; rsid_thesis, usid_thesis: in short time, as the thesis; usid_arc_thesis: "
+       "with "
+       "entries at equal arcs; the same with "
        "_kept: "
        "into tables that are kept; rsid, usid: exact raster"},
       {"precision_deg", "deg", "spacing of the entries at the equator"},

@@ -11,10 +11,13 @@
 // stand-ins, and of real joints. The error is that of a gap: the radius of a look-up against that of the
 // mesh, along random directions that meet the cap no farther than 80 degrees from its axis.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -43,6 +46,8 @@ using namespace impinge::lab;
 constexpr std::array kPrecisions{2.0, 1.0, 0.5};  // degrees
 constexpr std::size_t kFaces = 12000;             // of a generated cap
 constexpr std::size_t kAsked = 20000;             // directions
+constexpr std::size_t kChecked = 500;             // entries of a table, before it is used
+constexpr double kRounding = 1e-9;                // mm
 const double kEdge = std::cos(80.0 * kDegree);    // of the angle from the axis up to which is asked
 constexpr const char* kTimed = "patient_a";       // the cap on which times are taken
 
@@ -51,6 +56,7 @@ struct Cap {
   TriangleMesh mesh;  // about the origin, its axis +z
   std::vector<Vec3> asked = {};
   std::vector<double> radius = {};  // of the mesh along them, mm
+  std::shared_ptr<const RayCaster> caster = nullptr;
 };
 
 // The mesh turned so that the mean direction of its vertices is +z.
@@ -80,11 +86,11 @@ std::vector<Cap> caps(DriverRun& run) {
   }
   std::mt19937_64 random(run.record.seed);
   for (Cap& cap : found) {
-    const RayCaster caster(cap.mesh);
+    cap.caster = std::make_shared<RayCaster>(cap.mesh);
     for (std::size_t i = 0; i < kAsked; ++i) {
       const Vec3 u = uniform_direction(random);
       if (u.z() < kEdge) continue;
-      const double radius = caster.cast(u, Layer::nearest);
+      const double radius = cap.caster->cast(u, Layer::nearest);
       if (!std::isfinite(radius)) continue;
       cap.asked.push_back(u);
       cap.radius.push_back(radius);
@@ -105,9 +111,23 @@ std::vector<Cell> key_of(const std::string& joint, std::string_view scheme, doub
   return {joint, scheme, precision, what};
 }
 
-// Cells of one cap, scheme and precision, and on one cap the cases that time them.
+// Entries are the radii of the mesh, by brute force at some of them; else std::runtime_error.
+template <SamplingScheme S>
+void require_exact(const RadialTable<S>& table, const Cap& cap) {
+  const std::size_t step = std::max<std::size_t>(table.scheme().size() / kChecked, 1);
+  for (std::size_t i = 0; i < table.scheme().size(); i += step) {
+    const double exact = cap.caster->cast(table.scheme().direction(i), Layer::nearest);
+    const double off = std::abs(table.radius_of(i) - exact);
+    if (std::isfinite(exact) != std::isfinite(table.radius_of(i)) || off > kRounding)
+      throw std::runtime_error(std::string(S::name) + ": an entry is off by " + std::to_string(off) + " mm");
+  }
+}
+
+// One cap, scheme and precision: its cells up to the errors, the error of each gap that is asked (mm; NaN
+// without an answer), and on one cap the cases that time it.
 struct Sampled {
   std::vector<Cell> cells;
+  std::vector<double> off;
   std::vector<TimedCase> cases;
 };
 
@@ -115,20 +135,10 @@ template <SamplingScheme S>
 Sampled sample(const Cap& cap, double precision, std::string_view label) {
   const S scheme = S::with_precision(precision);
   const auto table = std::make_shared<RadialTable<S>>(fill_exact(cap.mesh, scheme, Layer::nearest));
-  double largest = 0.0;
-  double squares = 0.0;
-  std::size_t answered = 0;
-  for (std::size_t i = 0; i < cap.asked.size(); ++i) {
-    const double off = std::abs(table->radius_at(cap.asked[i]) - cap.radius[i]);
-    if (!std::isfinite(off)) continue;
-    ++answered;
-    largest = std::max(largest, off);
-    squares += off * off;
-  }
-  const double rms = std::sqrt(squares / static_cast<double>(answered));
-  Sampled found{{cap.joint, S::name, label, precision, entries_on_cap(scheme), cap.asked.size(), answered,
-                 1e3 * largest, 1e3 * rms},
-                {}};
+  require_exact(*table, cap);
+  Sampled found{{cap.joint, S::name, label, precision, entries_on_cap(scheme), cap.asked.size()}, {}, {}};
+  for (std::size_t i = 0; i < cap.asked.size(); ++i)
+    found.off.push_back(std::abs(table->radius_at(cap.asked[i]) - cap.radius[i]));
   if (cap.joint != kTimed) return found;
   TimedCase look_up;
   look_up.key = key_of(cap.joint, S::name, precision, "look-up");
@@ -146,6 +156,26 @@ Sampled sample(const Cap& cap, double precision, std::string_view label) {
   return found;
 }
 
+// Adds the cells of the errors, of gaps that every one of them answers: what is beside a rim is left out by
+// some.
+void add_errors(std::vector<Sampled>& every) {
+  for (Sampled& one : every) {
+    one.cells.emplace_back(std::ranges::count_if(one.off, [](double off) { return std::isfinite(off); }));
+    double largest = 0.0;
+    double squares = 0.0;
+    std::size_t compared = 0;
+    for (std::size_t i = 0; i < one.off.size(); ++i) {
+      if (!std::ranges::all_of(every, [i](const Sampled& other) { return std::isfinite(other.off[i]); }))
+        continue;
+      ++compared;
+      largest = std::max(largest, one.off[i]);
+      squares += one.off[i] * one.off[i];
+    }
+    one.cells.emplace_back(1e3 * largest);
+    one.cells.emplace_back(1e3 * std::sqrt(squares / static_cast<double>(compared)));
+  }
+}
+
 std::vector<Column> columns() {
   return {{"joint", "", "whose cap: the conchoid, a stand-in or a real joint"},
           {"scheme", "", "name of the sampling scheme"},
@@ -154,7 +184,7 @@ std::vector<Column> columns() {
           {"entries", "1", "of the table no farther than 90 degrees from the axis"},
           {"asked", "1", "directions, within 80 degrees of the axis"},
           {"answered", "1", "of them, by the table"},
-          {"max_um", "um", "largest error of a gap"},
+          {"max_um", "um", "largest error of a gap, of those that all schemes answer at this precision"},
           {"rms_um", "um", "root mean square of the errors"},
           {"look_up_ns", "ns", "median time of a look-up; empty where it is not timed"},
           {"look_up_iqr_ns", "ns", "interquartile range of it"},
@@ -169,10 +199,12 @@ void body(DriverRun& run) {
   std::vector<TimedCase> cases;
   for (const Cap& cap : all) {
     for (const double precision : kPrecisions) {
-      sampled.push_back(sample<Rsid>(cap, precision, Rsid::label));
-      sampled.push_back(sample<WeightedRings>(cap, precision, WeightedRings::label));
-      sampled.push_back(sample<Usid>(cap, precision, Usid::label));
-      sampled.push_back(sample<Conchoid>(cap, precision, Conchoid::label));
+      std::vector<Sampled> every{sample<Rsid>(cap, precision, Rsid::label),
+                                 sample<WeightedRings>(cap, precision, WeightedRings::label),
+                                 sample<Usid>(cap, precision, Usid::label),
+                                 sample<Conchoid>(cap, precision, Conchoid::label)};
+      add_errors(every);
+      std::ranges::move(every, std::back_inserter(sampled));
     }
   }
   for (const Sampled& one : sampled) cases.insert(cases.end(), one.cases.begin(), one.cases.end());

@@ -43,9 +43,9 @@ def readings(artefact: str) -> list[dict[str, str]]:
 def reading_names(artefact: str) -> dict[tuple[str, str], str]:
     """What it means that a method stands for a column, where it could be another."""
     table = _counterparts(artefact)
-    return {(row.thesis_column, row.method): row.reading for row in table.itertuples() if row.reading}
+    return {(row.thesis_column, row.method): row.reading for row in table[::-1].itertuples() if row.reading}
 
 
 def methods_of(artefact: str) -> list[str]:
     """The methods of ours that a timing table of the thesis shows: those that may stand for its columns, and those beside them."""
-    return list(_counterparts(artefact).method)
+    return list(_counterparts(artefact).method.unique())

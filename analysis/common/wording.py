@@ -20,6 +20,7 @@ LABELS = {
     "usid": "USID",
     "usid_thesis": "USID, resampled (thesis)",
     "usid_thesis_kept": "USID, resampled (thesis), tables kept",
+    "usid_arc_thesis": "USID, equal arcs, resampled",
     "usid_pairwise": "USID, pairwise",
     "rapid": "OBB tree (RAPID)",
 }

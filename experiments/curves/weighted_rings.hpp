@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "sphere/arc_borders.hpp"
 #include "sphere/direction.hpp"
 #include "sphere/equator_division.hpp"
 #include "sphere/scheme.hpp"
@@ -63,6 +64,9 @@ class WeightedRings {
             4,
             above + j};
   }
+
+  // Cells lie between parallels and meridians.
+  bool meets_cells_once(const Vec3& a, const Vec3& b) const { return latitude_is_monotone(a, b); }
 
   // Rings are farthest apart at the rim, columns nowhere farther than p: half of a cell's diagonal there, and
   // all.

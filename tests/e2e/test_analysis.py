@@ -398,7 +398,7 @@ class TimedVerdicts(unittest.TestCase):
         """Every ratio within half an order of magnitude, but falling where the thesis' rise."""
 
         def falls(line):
-            if line["method"].startswith("usid_thesis"):
+            if line["method"].startswith("usid") and "precision_deg" in line:
                 line["median_ms"] *= {1.0: 3, 0.5: 2, 0.1: 0.35, 0.05: 0.35}[line["precision_deg"]] ** 0.9
             if line["method"].startswith("rsid_thesis"):
                 line["median_ms"] *= {1.0: 1, 0.5: 1, 0.1: 8, 0.05: 8}[line["precision_deg"]]
