@@ -329,7 +329,7 @@ void Work::warn(const std::string& line) const {
 void add_joint_commands(CLI::App& program, const Screen& screen, std::function<void()>& work) {
   for (QuestionCommand& question : std::vector<QuestionCommand>{
            gaps_question(), touch_question(), poses_question(), limits_question(), volume_question(),
-           resect_question(), orient_question(), measure_question(), certify_question()})
+           resect_question(), orient_question(), measure_question(), certify_question(), report_question()})
     add_command(program, std::move(question), screen, work);
 }
 

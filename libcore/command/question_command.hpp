@@ -138,5 +138,6 @@ QuestionCommand measure_question();
 QuestionCommand volume_question();
 QuestionCommand orient_question();
 QuestionCommand resect_question();
+QuestionCommand report_question();
 
 }  // namespace impinge

@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 PAGE = Path(__file__).with_name("README.md")
-QUESTIONS = ("gaps", "touch", "poses", "limits", "volume", "resect", "orient", "measure", "certify")
+QUESTIONS = ("gaps", "touch", "poses", "limits", "volume", "resect", "orient", "measure", "certify", "report")
 TOOLS = ("check", "hip", "cohort")
 OPTIONS = ("option", "what", "default")
 BEGIN, END = "<!-- From impinge: reference.py -->\n", "<!-- End -->\n"

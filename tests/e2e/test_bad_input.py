@@ -107,7 +107,7 @@ class BadInput(GeneratedPair):
 
     def test_words_that_are_missing_or_wrong(self):
         """A command, a mesh; and an empty one, as a script types it whose variable is not set."""
-        commands = "there are gaps, touch, poses, limits, volume, resect, orient, measure, certify, check, hip, cohort; see impinge --help"
+        commands = "there are gaps, touch, poses, limits, volume, resect, orient, measure, certify, report, check, hip, cohort; see impinge --help"
         see = "; see impinge touch --help"
         meshes = "two meshes are needed, BALL and SOCKET"
         for words, message in [

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/report_scene.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "hip/gap_levels.hpp"
+#include "hip/rim_line.hpp"
+
+namespace impinge {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "as the arrays of a browser are");
+
+std::string base64(const std::string& bytes) {
+  constexpr const char* kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve(bytes.size() / 3 * 4 + 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    std::uint32_t three = 0;
+    for (std::size_t k = at; k < at + 3; ++k)
+      three = three << 8U | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += at + k <= bytes.size() ? kLetters[three >> (18U - 6U * k) & 63U] : '=';
+  }
+  return text;
+}
+
+template <class T>
+std::string array_text(const std::vector<T>& values) {
+  std::string bytes(values.size() * sizeof(T), '\0');
+  if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+  return base64(bytes);
+}
+
+std::string places_text(const std::vector<Vec3>& places) {
+  std::vector<float> numbers;
+  for (const Vec3& x : places)
+    for (const double number : x) numbers.push_back(static_cast<float>(number));
+  return array_text(numbers);
+}
+
+Json mesh_of(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> corners;
+  for (const Face& face : mesh.faces) corners.insert(corners.end(), face.begin(), face.end());
+  return {{"positions", places_text(mesh.vertices)}, {"faces", array_text(corners)}};
+}
+
+// Column by column, as WebGL has it.
+Json matrix_of(const Eigen::Matrix3d& rotation, const Vec3& translation) {
+  Json numbers = Json::array();
+  for (Eigen::Index column = 0; column < 4; ++column) {
+    for (Eigen::Index row = 0; row < 3; ++row)
+      numbers.push_back(column < 3 ? rotation(row, column) : translation[row]);
+    numbers.push_back(column < 3 ? 0.0 : 1.0);
+  }
+  return numbers;
+}
+
+std::string gaps_text(const SurfaceAnswer& found) {
+  return array_text(std::vector<float>(found.against_cartilage.begin(), found.against_cartilage.end()));
+}
+
+Json levels_of(Surface surface, double touching) {
+  Json levels = Json::array();
+  for (const GapLevel& level : gap_levels(surface, touching))
+    levels.push_back({{"up_to_mm", json_of(level.up_to_mm)}, {"rgb", level.colour}});
+  return levels;
+}
+
+Json joint_of(const SessionJoint& joint) {
+  constexpr std::size_t kRimSectors = 96;
+  std::vector<Vec3> rim;
+  std::vector<float> hours;
+  if (joint.dial) {
+    for (const RimPoint& at :
+         rim_line(in_joint_frame(joint, main_surface(joint.joint.socket.mesh, joint.joint.socket.parts)),
+                  *joint.dial, kRimSectors)) {
+      rim.emplace_back(joint.axes.transpose() * at.place);
+      hours.push_back(static_cast<float>(at.hours));
+    }
+  }
+  const auto& fit = joint.joint.fit;
+  return {{"ball", mesh_of(joint.joint.ball.mesh)},
+          {"socket", mesh_of(joint.joint.socket.mesh)},
+          {"side", json_of(joint.side)},
+          {"fit", fit ? Json{{"radius_mm", fit->radius}} : Json()},
+          {"to_joint_frame", matrix_of(joint.axes, Vec3::Zero())},
+          {"rim_clock", places_text(rim)},
+          {"rim_hours", array_text(hours)}};
+}
+
+}  // namespace
+
+Json report_scene(const SessionJoint& joint, const GapsAnswer& found) {
+  const PoseAnswer& pose = found.found;
+  return {{"joint", joint_of(joint)},
+          {"pose",
+           {{"matrix", matrix_of(pose.pose.rotation, pose.pose.translation)},
+            {"ball_gap", gaps_text(pose.ball)},
+            {"socket_gap", gaps_text(pose.socket)},
+            {"smallest", pose.smallest ? Json{{"place", json_of(pose.smallest->place)}} : Json()},
+            {"colours",
+             {{"ball", levels_of(Surface::ball, pose.ball.touching)},
+              {"socket", levels_of(Surface::socket, pose.socket.touching)},
+              {"none", kNoGapColour}}}}}};
+}
+
+}  // namespace impinge

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person looks at for one joint: several questions at once, each answered as it is alone.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "joint/gaps.hpp"
+#include "joint/limits.hpp"
+#include "joint/measures.hpp"
+#include "joint/volume.hpp"
+
+namespace impinge {
+
+/// What may be left out.
+enum class ReportPart { limits, volume, measures };
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<ReportPart>{"limits", "volume", "measures"};
+
+struct ReportRequest {
+  Motion pose;
+  std::vector<ReportPart> without;
+  double width = 0.2;
+  double cartilage_mm = 4.0;
+
+  static constexpr auto fields() {
+    using Asked = ReportRequest;
+    return std::tuple{
+        Field{"pose", "", "whose gaps are shown, as flexion=90,internal_rotation=10 [the pose of the scan]",
+              &Asked::pose},
+        Field{"without", "", "what is left out; `volume` takes longest [nothing]", &Asked::without},
+        Field{"width", "1", "of the volume: share of all rotations that may stay undecided, up to 1",
+              &Asked::width, Range{.least = 0.0, .most = 1.0, .above = true}},
+        Field{"cartilage_mm", "mm", "thickness of both layers together", &Asked::cartilage_mm, kNotNegative}};
+  }
+  bool has(ReportPart part) const;
+  /// Gaps up to this are asked about, too.
+  double threshold_mm() const { return has(ReportPart::limits) ? cartilage_mm : 0.0; }
+  static constexpr const char* kThresholdOption = "--cartilage";
+};
+
+/// The document of each question.
+struct ReportAnswer {
+  GapsAnswer gaps;
+  std::optional<LimitsAnswer> limits;
+  std::optional<VolumeAnswer> volume;
+  std::optional<MeasureAnswer> measures;
+
+  static constexpr auto fields() {
+    using Report = ReportAnswer;
+    return std::tuple{
+        Field{"gaps", "", "as `impinge gaps` has it, without bounds and distances", &Report::gaps},
+        Field{"limits", "", "as `impinge limits` has it; null if left out", &Report::limits},
+        Field{"volume", "", "as `impinge volume` has it; null if left out", &Report::volume},
+        Field{"measures", "", "as `impinge measure` has it; null if left out", &Report::measures}};
+  }
+};
+
+/// std::invalid_argument without a side; else what a question of it throws. `how`: of the volume.
+ReportAnswer answer(Session& session, const ReportRequest& request,
+                    VolumeSettings how = {.most_cells = kMostVolumeCells});
+
+}  // namespace impinge
