@@ -274,7 +274,7 @@ std::string views_section(const Json& answer) {
           figure("medial", 0.4, "ball smallest", "The ball from the midline, socket taken away") +
           "</div>\n" + legend(answer["gaps"]["colours"]) +
           paragraph("A gap is the joint space along a ray from the centre of rotation. The dot is the "
-                    "smallest one."),
+                    "smallest one; it is seen through bone."),
       " class=\"wide\"");
 }
 
@@ -302,17 +302,18 @@ std::string limits_section(const ReportParts& parts) {
 std::string limits_table(const Json& limits) {
   if (limits.is_null()) return "";
   const std::vector<Json> cartilage = ball_limits(limits, true);
-  HtmlTable table({"Motion", "bones meet, °",
-                   formatted("for centres within %g mm, °", limits["centre_within_mm"].get<double>()),
-                   "gap of 0.5 mm, °", "gap of cartilage, °", "o'clock", "what meets, and doubts"});
+  HtmlTable table({"Motion", "bones meet",
+                   formatted("for centres within %g mm", limits["centre_within_mm"].get<double>()),
+                   "gap of 0.5 mm", "gap of cartilage", "o'clock", "what meets, and doubts"});
   for (const Json& limit : ball_limits(limits, false)) {
     std::vector<std::string> cells(7);
     cells[0] = motion_words(limit["motion"]);
     cells[1] = reach_words(limit);
     if (limit["state"] == "limited")
-      cells[2] = rounded_down(limit["centre_low_deg"], 1) + " to " +
-                 (limit["centre_high_deg"].is_number() ? rounded_up(limit["centre_high_deg"], 1) : "unknown");
-    if (limit["half_mm_gap_deg"].is_number()) cells[3] = rounded_down(limit["half_mm_gap_deg"], 1);
+      cells[2] =
+          rounded_down(limit["centre_low_deg"], 1) + " to " +
+          (limit["centre_high_deg"].is_number() ? rounded_up(limit["centre_high_deg"], 1) + "°" : "unknown");
+    if (limit["half_mm_gap_deg"].is_number()) cells[3] = rounded_down(limit["half_mm_gap_deg"], 1) + "°";
     for (const Json& other : cartilage)
       if (other["motion"] == limit["motion"])
         cells[4] = other["state"] == "blocked" ? "from the start" : reach_words(other);
@@ -356,6 +357,17 @@ std::string measures_section(const ReportParts& parts) {
                                "one and two standard deviations of the published group."));
 }
 
+// Two decimals of a share, one of all else.
+std::string measured_words(const Json& row) {
+  const int decimals = row["unit"] == "1" ? 2 : 1;
+  std::string text = formatted("%.*f", decimals, row["value"].get<double>());
+  if (!row["uncertainty"].is_number()) return text;
+  const double error = row["uncertainty"];
+  const double least = 0.5 * std::pow(10.0, -decimals);
+  return text +
+         (error < least ? formatted(" ± less than %g", 2.0 * least) : formatted(" ± %.*f", decimals, error));
+}
+
 std::string unit_words(const std::string& unit) {
   if (unit == "1") return "";
   return unit == "deg" ? "°" : " " + unit;
@@ -367,13 +379,12 @@ std::string measures_table(const Json& measures) {
   for (const Json& row : measures["measures"]) {
     const std::string unit = unit_words(row["unit"]);
     std::vector<std::string> cells{measure_words(row["measure"]), text_or(row["state"]), "", ""};
-    if (row["value"].is_number())
-      cells[1] =
-          formatted("%.3g ± %.2g", row["value"].get<double>(), row["uncertainty"].get<double>()) + unit;
+    if (row["value"].is_number()) cells[1] = measured_words(row) + unit;
     if (row["published_source"].is_string()) {
       const std::string source = row["published_source"];
       cells[2] = published_words(row) + unit;
-      cells[3] = source.substr(0, source.find(',')) + ": " + text_or(row["published_of"]);
+      cells[3] =
+          source.substr(0, source.find(',')) + ": " + replaced(text_or(row["published_of"]), "+-", "±");
     }
     table.add(cells);
   }
@@ -388,8 +399,7 @@ bool has_viewer() { return !kReportViewer.empty(); }
 
 std::string viewer_missing() {
   return "this program was built without analysis/node_modules/three or esbuild; experiments/reproduce "
-         "--only joint3d "
-         "fetches both, then build it again";
+         "--only joint3d fetches both, then build it again";
 }
 
 std::string report_page(const ReportParts& parts) {
@@ -416,8 +426,8 @@ std::string report_page(const ReportParts& parts) {
   page += "</main>\n<footer>\n" +
           paragraph(
               "What is proven holds for these two meshes: it does not cover how they differ from the bones, "
-              "nor the "
-              "error of the centre beyond the ranges given. summary.json beside this page has all numbers.") +
+              "nor the error "
+              "of the centre beyond the ranges given. summary.json beside this page has all numbers.") +
           "</footer>\n";
   if (has_viewer())
     page += "<script type=\"application/json\" id=\"scene\">" + script_text(parts.scene.dump()) +

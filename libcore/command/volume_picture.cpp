@@ -77,7 +77,7 @@ std::string volume_picture(const MotionVolume& volume, Side side) {
     svg += formatted("<text x=\"%d\" y=\"%d\" text-anchor=\"end\">%d</text>\n", kMargin - 2,
                      kAbduction - abduction + 12, abduction);
   svg += formatted(
-      "<circle cx=\"%d\" cy=\"%d\" r=\"1.5\" fill=\"none\" stroke=\"#fff\"/>\n<text x=\"%d\" "
+      "<circle cx=\"%d\" cy=\"%d\" r=\"2\" fill=\"#fff\" stroke=\"#d4006a\"/>\n<text x=\"%d\" "
       "y=\"%d\">flexion, "
       "degrees; the ring is the neutral pose</text>\n<text transform=\"translate(7 %d) rotate(-90)\" "
       "text-anchor=\"middle\">abduction, degrees</text>\n",
