@@ -133,10 +133,10 @@ double add_levels(Svg& svg, const Json& gaps, const Across& x, double y) {
                               level["socket"]["area_mm2"].get<double>()));
     double at = y + 15.0;
     for (const char* surface : {"ball", "socket"}) {
-      svg.text(x.left - 4.0, at + 7.0, surface, {.size = 9, .anchor = "end", .fill = kFaint});
+      svg.text(x.left - 4.0, at + 7.0, surface, {.size = 10, .anchor = "end", .fill = kFaint});
       svg.rect(x.left, at, x.right - x.left, 7.0, "#eef2f5");
       add_zones(svg, level[surface]["clock_zones"], x, at, bone ? "#3b0f70" : "#f07f1c");
-      at += 9.0;
+      at += 10.0;
     }
     y = at + 5.0;
   }

@@ -376,12 +376,14 @@ std::string unit_words(const std::string& unit) {
 std::string measures_table(const Json& measures) {
   if (measures.is_null()) return "";
   HtmlTable table({"Measure", "this joint", "published", "of whom"});
+  std::string sources;
   for (const Json& row : measures["measures"]) {
     const std::string unit = unit_words(row["unit"]);
     std::vector<std::string> cells{measure_words(row["measure"]), text_or(row["state"]), "", ""};
     if (row["value"].is_number()) cells[1] = measured_words(row) + unit;
     if (row["published_source"].is_string()) {
       const std::string source = row["published_source"];
+      if (sources.find(source) == sources.npos) sources += (sources.empty() ? "" : "; ") + source;
       cells[2] = published_words(row) + unit;
       cells[3] =
           source.substr(0, source.find(',')) + ": " + replaced(text_or(row["published_of"]), "+-", "±");
@@ -389,7 +391,8 @@ std::string measures_table(const Json& measures) {
     table.add(cells);
   }
   return section("measures-table", "Measures in numbers",
-                 table.text() + paragraph("Published: mean ± standard deviation, or median (quartiles)."),
+                 table.text() + paragraph("Published: mean ± standard deviation, or median (quartiles). " +
+                                          sources + "."),
                  " class=\"wide\"");
 }
 

@@ -73,6 +73,8 @@ async function says(browser, address) {
   const warnings = await page.textContent("#warnings");
   joint.warnings.forEach((line) => assert.ok(warnings.includes(line.slice(-40)), line));
   assert.equal(await page.locator("#measures-table tbody tr").count(), answer.measures.measures.length);
+  const measures = await page.textContent("#measures-table");
+  answer.measures.measures.forEach((row) => assert.ok(measures.includes(row.published_source ?? ""), row.published_source));
   await close();
 }
 
