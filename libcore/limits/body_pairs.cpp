@@ -265,9 +265,9 @@ Contact BodyPairs::Body::encloses(const Vec3& x) const {
     if (!sum) continue;
     const bool odd = *sum % 2 != 0;
     if (openings.empty()) return odd ? Contact::yes : Contact::no;
-    ((sheet ? wound * *sum > 0 : odd) ? inside : outside) = true;
+    ((sheet ? (wound < 0 ? -*sum : *sum) > 0 : odd) ? inside : outside) = true;
   }
-  if (inside == outside) return Contact::unknown;
+  if (inside == outside || (inside && sheet && wound == 0)) return Contact::unknown;
   return inside ? Contact::yes : Contact::no;
 }
 

@@ -17,10 +17,11 @@
 // A sheet, such as a cropped acetabulum, does not say where its bone ends behind. It is a mesh with an
 // opening wider than a tenth of it, unless that is flat, as where a shaft is cut, and no side of its box has
 // more than a tenth of the area of the faces (our choice). A point is inside only if all rays come from
-// behind it on balance, crossings outwards less those inwards: in the hollow of an acetabulum none does. A
-// main surface is wound by what it is, outwards or to the centre. And a single pose in which a socket of that
-// kind is not met, but radii overlap (gap/overlay.hpp), counts as contact; the answer says so. A turn asks of
-// a sheet where its surface is met, and no more.
+// behind it on balance, crossings outwards less those inwards: in the hollow of an acetabulum none does. Of
+// main surfaces only: they are wound by what they are, outwards or to the centre. Behind any other sheet, as
+// one of cartilage round the head, it is not known. And a single pose in which a socket of that kind is not
+// met, but radii overlap (gap/overlay.hpp), counts as contact; the answer says so. A turn asks of a sheet
+// where its surface is met, and no more.
 //
 // Many poses at once. In a rotation within rho of R, R first and then a turn by rho at most, no point p of
 // the ball is farther from R p than s = 2 |p| sin(rho / 2), and a shift adds its length. So if surfaces are
@@ -145,7 +146,7 @@ class BodyPairs {
     std::vector<Opening> openings;
     TurnBody lids;  // these boxes, of a body that is no sheet
     bool sheet = false;
-    int wound = 1;             // of a sheet: -1 if its faces are seen from the bone's inside
+    int wound = 0;             // of a main sheet: 1, or -1 if its faces are seen from the bone's inside
     std::vector<Vec3> pieces;  // a vertex of each connected piece
     bool hollow = false;       // a closed socket round the centre: bone is outside of it
     Contact holds(const Vec3& x) const;

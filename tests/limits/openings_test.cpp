@@ -70,14 +70,15 @@ bool check_range(const TriangleMesh& bone, const TurnLimits& limits, const TurnL
 
 // The needle turns in through a hole and on to the wall behind: whatever the hole is of, no centre's surfaces
 // are said to have met before they have. The hole closes within its box, where the needle's tip begins to be
-// inside. Of a bowl, a sheet, surfaces alone are asked.
+// inside. Of a bowl, a sheet, surfaces alone are asked, and behind them nothing is known.
 TEST(Openings, LetANeedleIn) {
   for (const double angle : {0.35, 0.5, 0.8, 1.5}) {
     const TriangleMesh bone = flask(-Vec3::UnitY(), angle);
     const TurnLimits limits(joint_beside(), {{needle(-kBefore)}, {bone}});
     const TurnLimit limit = limits.first_contact(kTurnIn, kMostDegrees);
     const double inside = kBefore + 1.0;  // degrees
-    EXPECT_EQ(limits.verdict(kTurnIn, inside).contact, Contact::yes) << angle;
+    EXPECT_EQ(limits.verdict(kTurnIn, inside).contact, angle > 0.7 ? Contact::unknown : Contact::yes)
+        << angle;
     EXPECT_EQ(limits.verdict(kTurnIn, inside).rule, ContactRule::inside) << angle;
     EXPECT_FALSE(check_range(bone, limits, limit)) << angle;
     ASSERT_EQ(limit.state, LimitState::limited) << angle;
