@@ -95,6 +95,8 @@ class BodyPairs {
 
   /// Do all bones with main surfaces have an inside? Else radii decide about single poses of them.
   bool has_inside() const { return !radial_; }
+  /// Main surfaces of which radii decide; null if they have an inside.
+  const CulledJoint* radial() const { return radial_ ? &radial_->joint : nullptr; }
   /// Has none of them an opening?
   bool closed() const;
   /// Does the ball's mesh end where its bone goes on?

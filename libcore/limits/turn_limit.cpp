@@ -36,7 +36,13 @@ TurnLimits::Answers::Answers(BallSocketPair joint, const BoneParts& beside)
       ball(meshes.ball),
       socket(meshes.socket) {}
 
+static bool as_many_faces(const BallSocketPair& a, const BallSocketPair& b) {
+  return a.ball.faces.size() == b.ball.faces.size() && a.socket.faces.size() == b.socket.faces.size();
+}
+
 const CulledJoint& TurnLimits::Answers::vertices() {
+  const CulledJoint* made = bodies.radial();
+  if (made && as_many_faces(made->meshes(), meshes)) return *made;  // none was edge-on
   const std::lock_guard lock(making);
   if (!culled) culled.emplace(meshes);
   return *culled;
