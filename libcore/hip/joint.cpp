@@ -144,10 +144,11 @@ void check_units(const JointInput& input, const Facing& found, Joint& joint) {
   if (!doubt.empty()) {
     add_doubt(joint, input.ball.name + ": " + doubt);
   } else if (found.nearest > kFarApart) {
-    add_doubt(joint, input.socket.name + formatted(": is nowhere nearer to the ball than %.0f mm as scanned, "
-                                                   "which no joint is; check that both meshes are in one "
-                                                   "frame",
-                                                   found.nearest));
+    const std::string where = std::isfinite(found.nearest)
+                                  ? formatted("is nowhere nearer to the ball than %.0f mm", found.nearest)
+                                  : "shares no ray from the centre with the ball";
+    add_doubt(joint, input.socket.name + ": " + where +
+                         " as scanned, which no joint is; check that both meshes are in one frame");
   }
 }
 

@@ -77,6 +77,15 @@ TEST(AssembledJoint, ASocketFarFromTheBallIsTheFirstOfItsWarnings) {
   }
 }
 
+TEST(AssembledJoint, ASocketThatFacesNoneOfTheBallIsTheFirstOfItsWarnings) {
+  JointInput input = joint_of(shell(60.0, 1200), cup(25.0, 60.0, 1200));
+  for (Vec3& x : input.socket.mesh.vertices) x = Vec3(-x.x(), x.y(), -x.z());
+  input.centre = Vec3::Zero();
+  const Joint joint = assemble_joint(std::move(input));
+  ASSERT_EQ(joint.doubts, 1U);
+  EXPECT_EQ(joint.warnings[0].find("socket.ply: shares no ray from the centre with the ball as scanned"), 0U);
+}
+
 TEST(AssembledJoint, ACapOfABallIsTakenWithAWarningThatTellsItsShare) {
   for (const double angle : {30.0, 60.0, 80.0}) {
     for (const bool given : {false, true}) {
