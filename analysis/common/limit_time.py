@@ -22,5 +22,5 @@ def load(results: Path) -> pd.DataFrame:
 def title(rows: pd.DataFrame) -> str:
     """A joint and its faces."""
     joint, faces = rows.joint.iloc[0], int(rows.faces.iloc[0])
-    whole = "" if joint == "implant" or joint.startswith("normal hip") else ", whole"
+    whole = "" if joint.startswith(("implant", "needle", "normal hip")) else ", whole"
     return f"{joint}{whole}: {faces:,} faces"

@@ -23,15 +23,13 @@ namespace {
 
 constexpr double kResolution = 0.01;         // degrees, of the halvings
 constexpr double kMissed = 2 * kResolution;  // later than the truth by more: a contact was missed
+constexpr double kClosedForm = 1e-6;         // degrees, of a known limit
 constexpr int kBuildings = 3;                // that are timed
 constexpr const char* kOurs = "turn_limit";
 constexpr const char* kRanges = "turn_limit_ranges";
 
 // A motion that begins clear, and its first contact; the largest angle where there is none.
-struct TrueLimit {
-  std::string name;
-  JointTurn turn;
-  double largest_deg;
+struct TrueLimit : TurnedMotion {
   double deg;
 };
 
@@ -94,13 +92,22 @@ struct AskedLimits {
   std::shared_ptr<std::vector<double>> cpu_ms = std::make_shared<std::vector<double>>();  // a run each
 };
 
-std::vector<TrueLimit> motions_of(const TurnedJoint& joint, const TurnLimits& limits) {
-  std::vector<TrueLimit> motions;
+std::vector<TurnedMotion> asked_of(const TurnedJoint& joint) {
+  std::vector<TurnedMotion> asked = joint.motions;
+  if (!asked.empty()) return asked;
   for (const NamedMotion& motion : named_motions()) {
     const MotionName& growing = motion_name(motion.growing);
-    const TrueLimit one{std::string(motion.name), joint_turn(motion.start, growing, joint.side),
-                        largest_growth(motion.start, growing), 0.0};
-    if (limits.first_contact(one.turn, one.largest_deg).state != LimitState::blocked) motions.push_back(one);
+    asked.push_back({std::string(motion.name), joint_turn(motion.start, growing, joint.side),
+                     largest_growth(motion.start, growing), std::nullopt});
+  }
+  return asked;
+}
+
+std::vector<TrueLimit> motions_of(const TurnedJoint& joint, const TurnLimits& limits) {
+  std::vector<TrueLimit> motions;
+  for (const TurnedMotion& one : asked_of(joint)) {
+    if (limits.first_contact(one.turn, one.largest_deg).state != LimitState::blocked)
+      motions.push_back({one, 0.0});
   }
   return motions;
 }
@@ -178,6 +185,9 @@ void settle(const TurnedJoint& joint, const std::vector<AskedLimits>& all, const
       if (!exact(pose_at(motion.turn, ours.high_deg))) throw contradicted(ours.high_deg);
       motion.deg = ours.high_deg;
     }
+    if (motion.known_deg && !(std::abs(motion.deg - *motion.known_deg) < kClosedForm))
+      throw std::runtime_error(joint.name + ", " + motion.name + ": the limit, " + Cell(motion.deg).text() +
+                               ", is not that of its closed form, " + Cell(*motion.known_deg).text());
     for (const AskedLimits& asked : all) {
       if (k >= asked.motions || asked.found_deg[k] >= motion.deg) continue;
       if (!exact(pose_at(motion.turn, asked.found_deg[k]))) continue;  // it says so, but they are apart

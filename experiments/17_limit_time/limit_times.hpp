@@ -19,7 +19,15 @@
 
 namespace impinge::lab {
 
-// Joints whose limits are timed: a generated hip, whole bones and a replaced hip.
+// Joints whose limits are timed: a generated hip, whole bones, a replaced hip, and a needle that passes
+// spikes.
+
+struct TurnedMotion {
+  std::string name;
+  JointTurn turn;
+  double largest_deg;
+  std::optional<double> known_deg;  // where surfaces first meet, in closed form, to 1e-9
+};
 
 // Meshes in the joint frame about the centre, mm.
 struct TurnedJoint {
@@ -27,7 +35,8 @@ struct TurnedJoint {
   BallSocketPair bones;   // whole, as others' libraries take them
   BallSocketPair main{};  // of whole bones their surfaces of the joint, else the same (hip/whole_bone.hpp)
   BoneParts beside{};
-  std::optional<Side> side;
+  std::optional<Side> side{};
+  std::vector<TurnedMotion> motions{};  // none: the named ones
 
   // What is done once for a joint, by ours.
   TurnLimits limits() const { return TurnLimits(main, beside); }
@@ -37,6 +46,12 @@ struct TurnedJoint {
 // hip_presets.hpp's normal hip, and that of phantoms/phantom.hpp, of about so many faces each.
 TurnedJoint generated_hip(std::size_t faces);
 TurnedJoint replaced_hip(std::size_t faces);
+
+// A ball with a thin pyramid, which turns in twelve directions past the tip of a spike each, sharper and in
+// the plane of the turn. The spikes are nearer than the top of the needle by 5 to 0.05 mm: the pyramid passes
+// them in 6 to 0.05 degrees, and comes to the rim of the cup 40 degrees and more later. (At the first
+// contact the tip is in an edge of the pyramid.)
+TurnedJoint needle_past_spikes();
 
 // The joints of a folder (harness/real_joints.hpp) that have a whole femur.ply and pelvis.ply beside their
 // cut surfaces, about the centre of the sphere that fits the head.

@@ -3,10 +3,11 @@
 // @writes    limit_time limit_time_samples
 // @bones     yes
 // @timing    yes
-// @seconds   25 1200
+// @seconds   30 1200
 // @links     harness real_joints hip change phantoms method_cgal steps_methods
 //
-// The limits of the named motions of a generated hip, of a replaced one and of real joints with whole bones:
+// The limits of the named motions of a generated hip, of a replaced one and of real joints with whole bones,
+// and those of a needle that passes thin spikes, which are known:
 // in closed form (limits/turn_limit.hpp), alone and with the range for every centre within half a millimetre;
 // and by others' tests of touch in steps of 5 to 0.1 degrees, halved to 0.01 where one touches.
 // Before anything is timed the smallest angle at which CGAL finds a common point of the surfaces, of all that
@@ -40,6 +41,7 @@ void body(DriverRun& run) {
   };
   add(generated_hip(run.quick() ? kHipFacesInQuick : kHipFacesInFull), plan);
   add(replaced_hip(run.quick() ? kImplantFacesInQuick : kImplantFacesInFull), of_implant);
+  add(needle_past_spikes(), plan);
   if (run.bones) {
     for (const TurnedJoint& joint : whole_joints(*run.bones, run.progress)) add(joint, plan);
   }
