@@ -226,13 +226,17 @@ bool CentreIntervals::gap_always(const Way& way) const {
   return std::ranges::any_of(deep, [&](const auto& at) { return is_certain(way, at.second); });
 }
 
-// Vertices near where bodies first touched are asked.
+// Vertices near where bodies first touched are asked, and of a sheet the deepest one.
 bool CentreIntervals::contact_always(const Way& way, const NearContact& near) const {
   const double certain = way.shift_mm * (1.0 + kCertainMargin) + kCertainMargin;
-  return std::ranges::any_of(
-             near.vertices,
-             [&](const BodyPairs::Vertex& at) { return bodies_.is_inside_by(at, way.pose, certain); }) ||
-         std::ranges::any_of(near.scanned, [&](const ScannedVertex& at) { return has_crossed(way, at); });
+  const auto inside = [&](const BodyPairs::Vertex& at) {
+    return bodies_.is_inside_by(at, way.pose, certain);
+  };
+  const auto crossed = [&](const ScannedVertex& at) { return has_crossed(way, at); };
+  if (std::ranges::any_of(near.vertices, inside) || std::ranges::any_of(near.scanned, crossed)) return true;
+  if (bodies_.has_inside()) return false;
+  const auto least = joint_.least_gap(way.pose);
+  return least && least->gap_mm < 0.0 && crossed(least->at);
 }
 
 CentreIntervals::NearContact CentreIntervals::near_contact(const JointTurn& turn,

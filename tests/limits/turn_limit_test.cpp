@@ -229,6 +229,29 @@ TEST(HipLimits, CamsImpingeAnterosuperiorlyInFadir) {
   }
 }
 
+// A cropped hip that comes to a contact up to 46 degrees later about some centres within 0.5 mm. Its socket
+// is a sheet: the vertices near the first contact pass it by less than the shift; the deepest one settles it.
+TEST(HipLimits, TheLatestLimitOfOtherCentresIsNearTheUpperEnd) {
+  const HipParameters parameters = hip_preset("patient_a");
+  const BallSocketPair hip = main_surfaces(make_hip(parameters, 3000));
+  const MotionName& inwards = motion_name("internal_rotation");
+  const JointTurn turn = joint_turn({}, inwards, parameters.side);
+  const double largest = largest_growth({}, inwards);
+  const TurnLimits limits(hip);
+  const CentreInterval all = limits.centre_interval(turn, limits.first_contact(turn, largest), largest,
+                                                    {CentreDoubt::common, 0.5, 0.0});
+  double latest = 0.0;
+  for (int k = 0; k < 6; ++k) {
+    const Vec3 t = (k % 2 == 0 ? 0.499 : -0.499) * Vec3::Unit(k / 2);
+    latest = std::max(latest, TurnLimits({relative_to(hip.ball, t), relative_to(hip.socket, t)})
+                                  .first_contact(turn, largest)
+                                  .high_deg);
+  }
+  EXPECT_TRUE(all.limited);
+  EXPECT_GT(all.high_deg, latest);
+  EXPECT_LT(all.high_deg, latest + 5.0);
+}
+
 TEST(NamedMotion, EachCanBeDone) {
   for (const NamedMotion& motion : named_motions()) {
     const MotionName& growing = motion_name(motion.growing);
