@@ -138,7 +138,7 @@ TEST_F(Poses, ARowThatIsNotTrackedKeepsItsNumberAndSaysSo) {
 TEST_F(Poses, ATableOfBlenderRomFinderComesBackWithItsValidity) {
   const auto rows =
       answered(of("rot_x,rot_y,rot_z,trans_x,trans_y,trans_z,Valid_pose\n"
-                  "0,0,0,0,0,0,0\n30,0,0,0,0,-25,\n90,0,0,0,0,0,\n,0,0,0,0,0,\n"));
+                  "0,0,0,0,0,0,0\n30,0,0,0,0,25,\n90,0,0,0,0,0,\n,0,0,0,0,0,\n"));
   ASSERT_EQ(rows.size(), 5U);
   EXPECT_EQ(rows[0][13], "trans_z");
   EXPECT_EQ(rows[0][14], "Valid_pose");

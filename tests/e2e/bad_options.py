@@ -32,14 +32,16 @@ REFUSED = {
         "gaps --cartilage -1", "limits --cartilage 4mm",
     ],
     f"{{option}}: unknown motion 'bend'; {MOTIONS}": [
-        "touch --pose bend=3", "poses --path bend=0..9/1", "certify --motion bend", "resect --require bend=90",
+        "touch --pose bend=3", "certify --motion bend", "resect --require bend=90",
     ],
+    f"{{option}}: unknown motion 'bend'; {MOTIONS}, tx, ty, tz, plane_of_elevation, elevation, axial_rotation, rot_x, rot_y, rot_z, "
+    "trans_x, trans_y, trans_z": ["poses --path bend=0..9/1"],
     f"--motions: unknown motion '{{last}}'; {MOTIONS}, internal_rotation_at_45, internal_rotation_at_70, internal_rotation_at_90, "
     "external_rotation_at_90, fadir, faber": ["limits --motions flexion=30"],
     "{option}: 'flexion' is no motion; write NAME=DEGREES, as flexion=90": ["touch --pose flexion", "orient --require flexion"],
     "--pose: '181' is no angle of flexion; give degrees from -180 to 180": ["touch --pose flexion=181"],
     "--pose: the axis of 'extension' is given twice; give it once": ["touch --pose flexion=90,extension=10"],
-    "--path: '{last}' has no step; write NAME=FIRST..LAST/STEP or NAME=ANGLE, as flexion=0..120/1": ["poses --path flexion=0..90"],
+    "--path: '{last}' has no step; write NAME=FIRST..LAST/STEP or NAME=NUMBER, as flexion=0..120/1": ["poses --path flexion=0..90"],
     # What does not go together, or is missing.
     "--max-error: is of gaps of the faces, and a scheme or precision asks for tables; leave one out": ["gaps --scheme usid --max-error 1"],
     "--surfaces: one alone has neither bounds, distances nor verdicts; ask for the outputs gaps alone": ["gaps --surfaces ball"],
