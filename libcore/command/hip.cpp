@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/hip.hpp"
+#include "hip/hip.hpp"
 
 #include <cctype>
 #include <filesystem>
@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "command/joint_command.hpp"
 #include "command/request_options.hpp"
 #include "files/file_bytes.hpp"
-#include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"

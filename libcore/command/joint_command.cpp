@@ -10,7 +10,6 @@
 #include "command/joint_options.hpp"
 #include "command/question_command.hpp"
 #include "command/slicer_module.hpp"
-#include "command/version.hpp"
 #include "files/one_line.hpp"
 #include "joint/joint_folder.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Commands that ask a question of a joint, or of all joints of a folder.
+// Commands that ask a question of a joint, or of all joints of a folder, and those that ask none.
 #pragma once
 
 #include <exception>
@@ -29,8 +29,20 @@ struct Refused : std::exception {
   int code;
 };
 
+extern const char* const kVersion;  // of the project
+/// Of the sources that it was built from, as git abbreviates it, with "-dirty" where files had changed;
+/// "unknown" outside of git.
+const char* commit();
+
 /// Adds each question (command/question_command.hpp) as a command. The one that is given sets `work` to what
 /// it will do.
 void add_joint_commands(CLI::App& program, const Screen& screen, std::function<void()>& work);
+
+/// `impinge hip`: meshes of a hip from parameters.
+void add_hip_command(CLI::App& program, const Screen& screen, std::function<void()>& work);
+
+/// `impinge check`: runs the checker of certificates, a program of its own in Python that shares no code with
+/// this one.
+void add_check_command(CLI::App& program, const Screen& screen, std::function<void()>& work);
 
 }  // namespace impinge

@@ -39,14 +39,6 @@ void set_cartilage(const std::string& text, JointOptions& options) {
   }
 }
 
-void require_axes(const std::string& code) {
-  try {
-    input_to_joint(code);
-  } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError("--axes", error.what());
-  }
-}
-
 // What the file says and the command line does not.
 void use_description(const CLI::App& command, const fs::path& file, JointOptions& options) {
   const JointDescription said = read_description(file);
@@ -96,70 +88,50 @@ std::vector<std::string> texts_of(const std::vector<fs::path>& files) {
 }  // namespace
 
 std::function<void()> add_joint_options(CLI::App& command, JointOptions& options) {
-  const std::string group = "The joint";
-  const auto grouped = [&](CLI::Option* option) { option->group(group); };
-  grouped(command
-              .add_option("--ball-part", options.ball_parts,
-                          "bone beside the ball that can stop it, such as a trochanter; one or more")
-              ->type_name("FILE")
-              ->allow_extra_args(false));
-  grouped(
-      command.add_option("--socket-part", options.socket_parts, "the same beside the socket; one or more")
-          ->type_name("FILE")
-          ->allow_extra_args(false));
-  grouped(command
-              .add_option_function<std::string>(
-                  "--side",
-                  [&options](const std::string& word) {
-                    options.side = static_cast<Side>(place_among(word, words_of<Side>, "--side"));
-                  },
-                  "of the body; abduction and rotation need it")
-              ->type_name("left|right"));
-  grouped(command
-              .add_option_function<std::string>(
-                  "--axes",
-                  [&options](const std::string& code) {
-                    require_axes(code);
-                    options.axes = code;
-                  },
-                  "where +x, +y and +z of the meshes point: R/L, A/P, S/I [as their headers say, else RAS]")
-              ->type_name("CODE"));
-  grouped(command
-              .add_option_function<std::string>(
-                  "--centre",
-                  [&options](const std::string& text) {
-                    if (text != "fit") options.centre = place_option("--centre", text);
-                  },
-                  "of rotation: that of the sphere that fits the ball, or a place in mm [fit]")
-              ->type_name("fit|X,Y,Z"));
-  grouped(command
-              .add_option("--landmarks", options.landmarks,
-                          "points of 3D Slicer (.mrk.json, .fcsv, its table), or a CSV label,x,y,z, that "
-                          "give the frames of pelvis and femur")
-              ->type_name("FILE"));
-  grouped(command
-              .add_option_function<std::string>(
-                  "--cartilage", [&options](const std::string& text) { set_cartilage(text, options); },
-                  "thickness of both layers together [4], or a CSV of it by place: x,y,z,thickness_mm")
-              ->type_name("MM|FILE"));
-  grouped(command
-              .add_option_function<std::string>(
-                  "--keep",
-                  [&options](const std::string& word) {
-                    constexpr std::array<std::string_view, 2> kWords{"all", "largest"};
-                    options.keep_largest = place_among(word, kWords, "--keep") == 1;
-                  },
-                  "of each file all pieces, or the largest alone [all]")
-              ->type_name("all|largest"));
-  grouped(command
-              .add_option("--overlap", options.overlap_mm,
-                          "depth along a ray to which the surfaces may overlap without contact [0]")
-              ->check(in_range(kNotNegative))
-              ->type_name("MM"));
-  grouped(command
-              .add_option("--config", options.config,
-                          "JSON with side, axes, centre, parts, landmarks, cartilage_mm of the joint")
-              ->type_name("FILE"));
+  const auto describe = [](CLI::Option* option, const char* type) {
+    return option->type_name(type)->group("The joint");
+  };
+  const auto add = [&](const char* name, auto& value, const char* type, const char* text) {
+    return describe(command.add_option(name, value, text), type);
+  };
+  const auto read = [&](const char* name, const char* type, const char* text, const auto& use) {
+    const auto used = [use, name, &options](const std::string& word) { use(word, name, options); };
+    describe(command.add_option_function<std::string>(name, used, text), type);
+  };
+  using Text = const std::string&;
+  add("--ball-part", options.ball_parts, "FILE",
+      "bone beside the ball that can stop it, such as a trochanter; one or more")
+      ->allow_extra_args(false);
+  add("--socket-part", options.socket_parts, "FILE", "the same beside the socket; one or more")
+      ->allow_extra_args(false);
+  read("--side", "left|right", "of the body; abduction and rotation need it",
+       [](Text word, const char* name, JointOptions& of) { read_json(word, name, {}, of.side); });
+  read("--axes", "CODE",
+       "where +x, +y and +z of the meshes point: R/L, A/P, S/I [as their headers say, else RAS]",
+       [](Text code, const char* name, JointOptions& of) {
+         in_field(name, [&] { input_to_joint(code); });
+         of.axes = code;
+       });
+  read("--centre", "fit|X,Y,Z", "of rotation: that of the sphere that fits the ball, or a place in mm [fit]",
+       [](Text text, const char* name, JointOptions& of) {
+         if (text != "fit") of.centre = place_option(name, text);
+       });
+  add("--landmarks", options.landmarks, "FILE",
+      "points of 3D Slicer (.mrk.json, .fcsv, its table), or a CSV label,x,y,z, that give the frames of "
+      "pelvis and femur");
+  read("--cartilage", "MM|FILE",
+       "thickness of both layers together [4], or a CSV of it by place: x,y,z,thickness_mm",
+       [](Text text, const char* /*name*/, JointOptions& of) { set_cartilage(text, of); });
+  read("--keep", "all|largest", "of each file all pieces, or the largest alone [all]",
+       [](Text word, const char* name, JointOptions& of) {
+         constexpr std::array<std::string_view, 2> kWords{"all", "largest"};
+         of.keep_largest = place_among(word, kWords, name) == 1;
+       });
+  add("--overlap", options.overlap_mm, "MM",
+      "depth along a ray to which the surfaces may overlap without contact [0]")
+      ->check(in_range(kNotNegative));
+  add("--config", options.config, "FILE",
+      "JSON with side, axes, centre, parts, landmarks, cartilage_mm of the joint");
   return [&command, &options] {
     if (options.config) use_description(command, *options.config, options);
   };

@@ -7,10 +7,8 @@
 #include <new>
 #include <thread>
 
-#include "command/hip.hpp"
 #include "command/joint_command.hpp"
 #include "command/request_options.hpp"
-#include "command/version.hpp"
 #include "files/one_line.hpp"
 #include "joint/document.hpp"
 

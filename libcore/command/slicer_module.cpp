@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "command/version.hpp"
+#include "command/joint_command.hpp"
 #include "files/finite_number.hpp"
 
 namespace impinge {
