@@ -47,9 +47,9 @@ void add_cam(double height, std::size_t faces, Table& table) {
   try {
     const ResectAnswer cut = answer(session, ResectRequest{{parse_motion(kRequired)}, kClearance});
     const ResectLeg& last = cut.legs.back();
-    row.insert(row.end(), {cut.volume_mm3.value()[0], cut.volume_mm3.value()[1], cut.mesh_volume_mm3,
-                           cut.area_mm2[0], cut.area_mm2[1], cut.depth_mm[0], cut.depth_mm[1],
-                           last.before.low_deg, last.after.low_deg, Cell()});
+    row.insert(row.end(), {cut.volume_mm3.low, cut.volume_mm3.high, cut.mesh_volume_mm3, cut.area_mm2.low,
+                           cut.area_mm2.high, cut.depth_mm.low, cut.depth_mm.high, last.before.low_deg,
+                           last.after.low_deg, Cell()});
   } catch (const std::runtime_error& refusal) {
     row.resize(10);
     row.emplace_back(refusal.what());

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/gaps.hpp"
 
-#include <algorithm>
 #include <cmath>
 
-#include "command/pose_words.hpp"
 #include "command/question_command.hpp"
 #include "files/formatted.hpp"
 #include "joint/joint_files.hpp"
@@ -26,33 +24,33 @@ std::string describe_centre(const Joint& joint) {
 std::string describe_table(const GapsRequest& request, const GapsAnswer& found) {
   if (found.precision_deg) {
     return formatted("table               %s at %g degrees, %zu entries a surface\n",
-                     request.scheme.value_or(PoseQuestion().scheme).c_str(), *found.precision_deg,
-                     found.entries_per_table);
+                     request.scheme_name().c_str(), *found.precision_deg, found.entries_per_table);
   }
   if (!request.max_error_mm) return "table               none: gaps are those of the faces\n";
   return formatted("table               none: gaps within %g mm, of the faces\n", *request.max_error_mm);
 }
 
 // Of the main surfaces, along rays.
-std::string describe_overlap(const std::optional<RadialOverlapDocument>& found) {
+std::string describe_overlap(const std::optional<Certificate>& found) {
   if (!found) return "";
-  if (!found->overlap) return "radial overlap      none\n";
-  const bool vertices = found->ball.impinged + found->socket.impinged > 0;
-  return "radial overlap      by up to " + rounded_up(*found->deepest_mm, 3) + " mm at a " +
-         std::string(word_of(*found->deepest_at)) + (vertices ? "" : "; of no vertex") + "\n";
+  if (!found->deepest) return "radial overlap      none\n";
+  return "radial overlap      by up to " + rounded_up(found->deepest->depth, 3) + " mm at a " +
+         std::string(word_of(found->deepest->kind)) + (found->vertices_impinged() ? "" : "; of no vertex") +
+         "\n";
 }
 
-std::string describe_zones(const ImpingedDocument& found) {
+std::string describe_zones(const Impinged& found) {
   if (!found.clock_zones) return "no clock positions: the socket looks straight up, down, forward or back";
   std::string text;
-  for (const ZoneDocument& zone : *found.clock_zones) {
-    if (zone.from == zone.to) return "all round the clock";
-    text += (text.empty() ? "" : ", ") + zone.from + "-" + zone.to;
+  for (const ClockZone& zone : *found.clock_zones) {
+    const std::string from = clock_text(zone.from);
+    if (from == clock_text(zone.to)) return "all round the clock";
+    text += (text.empty() ? "" : ", ") + from + "-" + clock_text(zone.to);
   }
   return text.empty() ? "nowhere" : "at " + text + " o'clock";
 }
 
-std::string describe_level(const ImpingementDocument& level) {
+std::string describe_level(const Impingement& level) {
   const std::string text = level.gap_up_to_mm ? formatted("impinged at %3g mm   ", *level.gap_up_to_mm)
                                               : std::string("cartilage touches   ");
   if (level.ball.vertices + level.socket.vertices == 0) return text + "nowhere\n";
@@ -71,15 +69,15 @@ std::string size_text(double bytes) {
 
 std::string describe_way(const GapsAnswer& found) {
   std::string items;
-  for (const LeftOutDocument& item : found.left_out) {
-    items += (items.empty() ? "left out            " : "                    ") + item.meaning +
+  for (const LeftOut& item : found.left_out) {
+    items += (items.empty() ? "left out            " : "                    ") + std::string(item.meaning) +
              (item.reason.empty() ? "" : ": " + item.reason);
-    if (item.bytes_saved)
-      items += (*item.bytes_saved > 0.0 ? "; saves " : "; takes ") + size_text(*item.bytes_saved) +
-               (*item.bytes_saved > 0.0 ? "" : " more");
+    if (item.bytes_saved != 0.0)
+      items += (item.bytes_saved > 0.0 ? "; saves " : "; takes ") + size_text(item.bytes_saved) +
+               (item.bytes_saved > 0.0 ? "" : " more");
     items += "\n";
   }
-  return "way                 " + found.way + "\n" +
+  return "way                 " + std::string(found.way) + "\n" +
          (items.empty() ? "left out            nothing\n" : items);
 }
 
@@ -89,7 +87,7 @@ std::string describe_gaps(const SessionJoint& joint, const GapsRequest& request,
                      describe_overlap(found.radial_overlap) + describe(found.nearest_part) +
                      describe(found.smallest_gap);
   if (found.smallest_gap)
-    for (const ImpingementDocument& level : found.impingement) text += describe_level(level);
+    for (const Impingement& level : found.impingement()) text += describe_level(level);
   return text + describe_way(found);
 }
 
@@ -103,22 +101,18 @@ Told told(Session& session, const GapsRequest& request, const Work& work) {
                      {"vertex", "/smallest_gap/vertex"},
                      {"clock", "/smallest_gap/clock"}};
   if (!work.out) return told;
-  const auto asked = [&request](Output output) {
-    return request.outputs.empty() ||
-           std::find(request.outputs.begin(), request.outputs.end(), output) != request.outputs.end();
-  };
-  if (asked(Output::gaps)) {
+  if (request.asks(Output::gaps)) {
     for (const Surface surface : kSurfaces) {
-      if (found.found.of(surface).gap.empty()) continue;
+      if (found.of(surface).gap.empty()) continue;
       const std::string file = work.mesh_file(std::string(name(surface)));
       const auto write = [&](const TriangleMesh& mesh, const MeshNotes& notes) {
         return mesh_bytes(file, mesh, notes);
       };
-      told.files.push_back({file, surface_file(joint, found.found, surface, write)});
+      told.files.push_back({file, surface_file(joint, found, surface, write)});
     }
-    told.files.push_back({"gaps.csv", gaps_csv(joint, found.found)});
+    told.files.push_back({"gaps.csv", gaps_csv(joint, found)});
   }
-  if (asked(Output::distances)) told.files.push_back({"distances.csv", distances_csv(found.found)});
+  if (request.asks(Output::distances)) told.files.push_back({"distances.csv", distances_csv(found)});
   return told;
 }
 
@@ -131,29 +125,6 @@ QuestionCommand gaps_question() {
   made.takes_map = true;
   made.writes_meshes = true;
   return made;
-}
-
-std::string describe(const std::optional<SmallestGapDocument>& gap) {
-  if (!gap) return "smallest gap        none: the surfaces do not face each other\n";
-  std::string text = formatted("smallest gap        %.3f mm at %s vertex %zu", gap->gap_mm,
-                               name(gap->surface).data(), gap->vertex);
-  if (gap->clock) text += ", " + *gap->clock + " o'clock";
-  if (gap->error_bound_mm && std::isfinite(*gap->error_bound_mm))
-    text += " (error of this gap at most " + rounded_up(*gap->error_bound_mm, 3) + " mm)";
-  if (gap->euclidean_distance_mm) {
-    text += "\nEuclidean distance  " + rounded_down(gap->euclidean_distance_mm->front(), 3) + " to " +
-            rounded_up(gap->euclidean_distance_mm->back(), 3) + " mm there";
-  }
-  return text + "\n";
-}
-
-std::string describe(const std::optional<NearestPartDocument>& part) {
-  if (!part) return "";
-  const std::string bodies =
-      part->ball_part.value_or("ball") + " and " + part->socket_part.value_or("socket");
-  if (part->touch) return "parts               " + bodies + " touch\n";
-  return "parts               " + bodies + " are nearest, " + rounded_down(part->distance_mm, 3) +
-         " mm apart\n";
 }
 
 }  // namespace impinge

@@ -11,7 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "joint/joint_document.hpp"
-#include "joint/scan_contact.hpp"
+#include "joint/touch.hpp"
 
 namespace impinge {
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "command/limit_words.hpp"
 #include "command/question_command.hpp"
 #include "files/formatted.hpp"
 #include "files/rows.hpp"
@@ -11,7 +10,7 @@
 namespace impinge {
 namespace {
 
-std::string bracket(const LimitDocument& limit) {
+std::string bracket(const TurnLimit& limit) {
   const std::string low = rounded_down(limit.low_deg, 1);
   switch (limit.state) {
     case LimitState::limited:
@@ -27,10 +26,10 @@ std::string bracket(const LimitDocument& limit) {
 }
 
 // As "20.8 to 61.9 degrees".
-std::string range_text(double low, const std::optional<double>& high) {
-  const std::string from = rounded_down(low, 1);
-  if (!high) return low > 0.0 ? "none before " + from + " degrees" : "unknown";
-  return from + " to " + rounded_up(*high, 1) + " degrees";
+std::string range_text(const CentreInterval& range) {
+  const std::string from = rounded_down(range.low_deg, 1);
+  if (!range.limited) return range.low_deg > 0.0 ? "none before " + from + " degrees" : "unknown";
+  return from + " to " + rounded_up(range.high_deg, 1) + " degrees";
 }
 
 std::string row_of(const std::vector<std::string>& cells) {
@@ -48,66 +47,64 @@ std::string table_of(const LimitsAnswer& found) {
   std::string text =
       row_of({"limits, degrees", "bone on bone", formatted("centres within %g mm", found.centre_within_mm),
               "o'clock", "gap of cartilage", "what meets, and doubts"});
-  for (const LimitDocument& limit : found.limits) {
-    if (limit.threshold_mm > 0.0 || limit.centre == "socket") continue;
-    const auto gap = std::find_if(found.limits.begin(), found.limits.end(), [&](const LimitDocument& other) {
-      return other.motion == limit.motion && other.threshold_mm > 0.0;
+  for (const LimitAnswer& limit : found.limits) {
+    if (limit.told.threshold_mm > 0.0 || limit.centre == "socket") continue;
+    const auto gap = std::find_if(found.limits.begin(), found.limits.end(), [&](const LimitAnswer& other) {
+      return other.motion == limit.motion && other.told.threshold_mm > 0.0;
     });
-    const bool limited = limit.state == LimitState::limited;
-    text += row_of({limit.motion, bracket(limit),
-                    limited ? range_text(limit.centre_low_deg, limit.centre_high_deg) : "",
-                    limit.clock.value_or(""), gap == found.limits.end() ? "" : bracket(*gap), limit.what});
+    const bool limited = limit.told.limit.state == LimitState::limited;
+    text += row_of({limit.motion, bracket(limit.told.limit), limited ? range_text(limit.told.common) : "",
+                    limit.clock().value_or(""), gap == found.limits.end() ? "" : bracket(gap->told.limit),
+                    limit.what()});
   }
   return text;
 }
 
-std::string sentence(const LimitDocument& limit) {
+std::string sentence(const LimitAnswer& of) {
+  const TurnLimit& limit = of.told.limit;
   const std::string low = rounded_down(limit.low_deg, 1);
   switch (limit.state) {
     case LimitState::free:
       return "none up to " + low + " degrees";
     case LimitState::blocked:
-      return "reached before it begins" + (limit.meets ? ", " + *limit.meets : "");
+      return "reached before it begins" + (of.meets() ? ", " + *of.meets() : "");
     case LimitState::limited:
       return "between " + rounded_down(limit.low_deg, 4) + " and " + rounded_up(limit.high_deg, 4) +
-             " degrees" + (limit.clock ? " at " + *limit.clock + " o'clock" : "") + ", " +
-             limit.meets.value_or("");
+             " degrees" + (of.hours ? " at " + clock_text(*of.hours) + " o'clock" : "") + ", " +
+             of.meets().value_or("");
     case LimitState::unknown:
       break;
   }
-  if (limit.leaves_ball_mesh_deg && *limit.leaves_ball_mesh_deg <= limit.low_deg)
+  if (limit.leaves_mesh_deg && *limit.leaves_mesh_deg <= limit.low_deg)
     return "leaves the ball's mesh at " + low + " degrees, none before; unknown beyond";
   return "none up to " + low + " degrees, where surfaces graze; unknown beyond";
 }
 
 // What half a millimetre changes, and more of the ball, each on a line of its own below the limit.
-std::string doubts(const LimitDocument& limit, double within_mm) {
+std::string doubts(const ToldLimit& told, double within_mm) {
+  const TurnLimit& limit = told.limit;
   if (limit.state == LimitState::blocked) return "";
   const std::string below = "\n                    ";
-  std::string text = below + formatted("any centre within %g mm: ", within_mm) +
-                     range_text(limit.centre_low_deg, limit.centre_high_deg) +
-                     formatted("; play of the ball up to %g mm: ", within_mm) +
-                     range_text(limit.play_low_deg, limit.play_high_deg);
-  if (limit.half_mm_gap_deg)
+  std::string text = below + formatted("any centre within %g mm: ", within_mm) + range_text(told.common) +
+                     formatted("; play of the ball up to %g mm: ", within_mm) + range_text(told.play);
+  if (told.half_mm_gap_deg)
     text += below + formatted("the gap falls to %g mm at ", within_mm) +
-            rounded_down(*limit.half_mm_gap_deg, 1) + " degrees";
-  if (limit.hangs_on_less_than_half_mm)
-    text += formatted(": this answer is sensitive to less than %g mm", within_mm);
-  if (limit.state == LimitState::limited &&
-      limit.leaves_ball_mesh_deg)  // with more of the ball it stays impinged
-    text += below + "the ball's mesh ends under the socket from " +
-            rounded_down(*limit.leaves_ball_mesh_deg, 1) + " degrees on: what is missing may come first";
+            rounded_down(*told.half_mm_gap_deg, 1) + " degrees";
+  if (told.hangs_on_less()) text += formatted(": this answer is sensitive to less than %g mm", within_mm);
+  if (limit.state == LimitState::limited && limit.leaves_mesh_deg)  // with more of the ball it stays impinged
+    text += below + "the ball's mesh ends under the socket from " + rounded_down(*limit.leaves_mesh_deg, 1) +
+            " degrees on: what is missing may come first";
   return text;
 }
 
 std::string details_of(const LimitsAnswer& found) {
   std::string text = "limit               of " + found.limits.front().motion + "\n";
-  for (const LimitDocument& limit : found.limits) {
+  for (const LimitAnswer& limit : found.limits) {
     std::string label =
-        limit.threshold_mm > 0.0 ? formatted("gap of %g mm", limit.threshold_mm) : "bone on bone";
+        limit.told.threshold_mm > 0.0 ? formatted("gap of %g mm", limit.told.threshold_mm) : "bone on bone";
     label.resize(std::max(label.size() + 1, std::size_t{20}), ' ');
     text += label + sentence(limit) + ", about the centre of the " + std::string(limit.centre) +
-            doubts(limit, found.centre_within_mm) + "\n";
+            doubts(limit.told, found.centre_within_mm) + "\n";
   }
   return text;
 }
@@ -116,14 +113,14 @@ Told told(Session& session, const LimitsRequest& request, const Work& /*work*/) 
   const LimitsAnswer found = answer(session, request);
   Told told{.words = describe(found), .document = json_of(found), .table_name = "limits.csv"};
   told.table.columns = columns_of<LimitRow>();
-  for (const LimitDocument& limit : found.limits) told.table.add_row(cells_of<LimitRow>(limit));
+  for (const LimitAnswer& limit : found.limits) told.table.add_row(cells_of<LimitRow>(limit));
   return told;
 }
 
 }  // namespace
 
 std::string describe(const LimitsAnswer& found) {
-  const bool one = std::all_of(found.limits.begin(), found.limits.end(), [&](const LimitDocument& limit) {
+  const bool one = std::all_of(found.limits.begin(), found.limits.end(), [&](const LimitAnswer& limit) {
     return limit.motion == found.limits.front().motion;
   });
   return one ? details_of(found) : table_of(found);

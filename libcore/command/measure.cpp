@@ -10,22 +10,22 @@ namespace impinge {
 namespace {
 
 // As "; published: mean 40.9, sd 7 (Hack 2010)"; empty where nothing is.
-std::string published_text(const MeasureRow& row) {
-  if (!row.published_source) return "";
-  const std::string numbers = row.published_mean
-                                  ? formatted("mean %.4g, sd %.2g", *row.published_mean, *row.published_sd)
-                                  : formatted("median %.4g, quartiles %.4g and %.4g", *row.published_median,
-                                              *row.published_lower_quartile, *row.published_upper_quartile);
-  const std::string_view author = row.published_source->substr(0, row.published_source->find(','));
+std::string published_text(const PublishedMeasure& published) {
+  if (published.source.empty()) return "";
+  const std::string numbers = published.mean
+                                  ? formatted("mean %.4g, sd %.2g", *published.mean, *published.sd)
+                                  : formatted("median %.4g, quartiles %.4g and %.4g", *published.median,
+                                              *published.lower_quartile, *published.upper_quartile);
+  const std::string_view author = published.source.substr(0, published.source.find(','));
   return "; published: " + numbers + " (" + std::string(author) + ")";
 }
 
 std::string words_of_row(const MeasureRow& row) {
-  std::string line = row.measure;
+  std::string line = row.name;
   line.resize(std::max(line.size() + 1, std::size_t{20}), ' ');
   const std::string unit = row.unit == "1" ? "" : " " + row.unit;
   line += row.value ? formatted("%.3g +- %.2g", *row.value, *row.uncertainty) + unit : row.state;
-  return line + published_text(row) + "\n";
+  return line + published_text(row.published) + "\n";
 }
 
 Told told(Session& session, const MeasureRequest& request, const Work& /*work*/) {

@@ -27,34 +27,30 @@ std::string line_of(const std::vector<Cell>& cells) {
 }
 
 // BlenderROMFinder's column is there where its columns are asked of; 1 is free of contact.
-bool has_valid_pose(const PoseList& list, const SeriesOutputs& outputs) {
-  return list.kind == PoseKind::steps && outputs.touch;
+bool has_valid_pose(const PoseList& list, const PosesRequest& request) {
+  return list.kind == PoseKind::steps && request.asks(PosesOutput::touch);
 }
 
-std::string head_of(const PoseList& list, const SeriesOutputs& outputs) {
+std::string head_of(const PoseList& list, const PosesRequest& request) {
   std::vector<Cell> names;
   for (const Column& column : columns_of<PoseRow>()) names.emplace_back(column.name);
-  if (outputs.areas)
+  if (request.asks(PosesOutput::areas))
     for (const Column& column : columns_of<PoseAreas>()) names.emplace_back(column.name);
   for (const PoseColumn& column : list.columns)
     if (!column.name.empty()) names.emplace_back(column.name);
-  if (has_valid_pose(list, outputs)) names.emplace_back("Valid_pose");
+  if (has_valid_pose(list, request)) names.emplace_back("Valid_pose");
   return line_of(names);
 }
 
-std::string text_of_row(const SessionJoint& joint, const PoseList& list, std::size_t row,
-                        const SeriesOutputs& outputs, const SeriesAnswer& answer) {
-  const PoseRow found = row_of(joint, list, row, answer);
-  std::vector<Cell> cells = cells_of(found);
+std::string text_of_row(const PosesRequest& request, const PoseList& list, const PoseRow& row) {
+  std::vector<Cell> cells = cells_of(row);
   if (cells[1].text().empty()) cells[1] = Cell();
-  if (const auto& areas = answer.areas) {
-    const PoseAreas area{(*areas)[0].bone, (*areas)[1].bone, (*areas)[0].cartilage, (*areas)[1].cartilage};
-    for (Cell& cell : cells_of(area)) cells.push_back(std::move(cell));
-  }
+  if (row.areas)
+    for (Cell& cell : cells_of(*row.areas)) cells.push_back(std::move(cell));
   for (std::size_t k = 0; k < list.columns.size(); ++k)
-    if (!list.columns[k].name.empty()) cells.emplace_back(list.values[row * list.width() + k]);
-  if (has_valid_pose(list, outputs))
-    cells.push_back(found.touch == "yes" ? Cell("0") : found.touch == "no" ? Cell("1") : Cell());
+    if (!list.columns[k].name.empty()) cells.emplace_back(list.values[(row.pose - 1) * list.width() + k]);
+  if (has_valid_pose(list, request))
+    cells.push_back(row.touch() == "yes" ? Cell("0") : row.touch() == "no" ? Cell("1") : Cell());
   return line_of(cells);
 }
 
@@ -143,7 +139,7 @@ class Rows {
 };
 
 void answer_all(const SessionJoint& joint, const PoseList& list, const PoseSeries& series,
-                const SeriesOutputs& outputs, const Work& work, Rows& rows) {
+                const PosesRequest& request, const Work& work, Rows& rows) {
   Stopwatch watch;
   double answer_ms = 0.0;
   double said_ms = 0.0;
@@ -153,10 +149,12 @@ void answer_all(const SessionJoint& joint, const PoseList& list, const PoseSerie
     constexpr std::size_t kRowsOfAThread = 512;  // between two writes
     std::vector<std::string> texts(std::min(work.threads * kRowsOfAThread, list.size() - pose));
     on_threads(work.threads, [&](std::size_t thread) {
-      for (std::size_t k = thread; k < texts.size(); k += work.threads)
-        texts[k] = text_of_row(
-            joint, list, pose + k, outputs,
-            list.tracked(pose + k) ? series.answer(pose_in(joint, list, pose + k)) : SeriesAnswer());
+      for (std::size_t k = thread; k < texts.size(); k += work.threads) {
+        const bool tracked = list.tracked(pose + k);
+        PoseRow row = tracked ? series.answer(pose_in(joint, list, pose + k)) : PoseRow{.tracked = false};
+        row.pose = pose + k + 1;
+        texts[k] = text_of_row(request, list, row);
+      }
     });
     rows.add(texts);
     pose += texts.size();
@@ -185,18 +183,17 @@ std::string describe_poses(const PosesAnswer& found) {
 Told told(Session& session, const PosesRequest& request, const Work& work) {
   const SessionJoint& joint = *session.joint;
   const PoseList list = list_of(request, joint);
-  const SeriesOutputs outputs = outputs_of(request);
-  const PoseSeries series(joint.joint, outputs);
-  const std::string head = head_of(list, outputs);
+  const PoseSeries series(joint, request);
+  const std::string head = head_of(list, request);
   std::string given = std::string(kRowsVersion) + head;
   given += std::to_string(static_cast<int>(list.kind)) + ",";
   for (const double value : list.values) given += Cell(value).text() + ",";
   Rows rows(work, answer_key(joint, json_of(request), given), head);
   const std::string doubt = doubt_of(request, joint, list);
   if (!doubt.empty()) work.warn(doubt);
-  answer_all(joint, list, series, outputs, work, rows);
+  answer_all(joint, list, series, request, work, rows);
   rows.finish();
-  const PosesAnswer found = rows.tally().answer(outputs.touch, doubt);
+  const PosesAnswer found = rows.tally().answer(request.asks(PosesOutput::touch), doubt);
   Told told{.words = describe_poses(found), .document = json_of(found)};
   if (work.out) told.wrote = {"poses.csv"};
   told.row_of_one = {

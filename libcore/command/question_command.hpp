@@ -19,8 +19,8 @@
 #include "files/fields.hpp"
 #include "files/stopwatch.hpp"
 #include "joint/document.hpp"
-#include "joint/scan_contact.hpp"
 #include "joint/session.hpp"
+#include "joint/touch.hpp"
 #include "mesh/mesh_format.hpp"
 
 namespace impinge {
@@ -98,9 +98,9 @@ ScanContactOptions scan_contact_of(const Request& request) {
 template <Described Request>
 std::vector<std::filesystem::path> files_of(const Request& request) {
   std::vector<std::filesystem::path> files;
-  for_each_field<Request>([&]<class Owner, class Value>(const Field<Owner, Value>& field) {
-    if constexpr (std::same_as<Value, std::optional<std::filesystem::path>>)
-      if (request.*field.member) files.push_back(*(request.*field.member));
+  for_each_field<Request>([&]<class Get>(const Field<Get>& field) {
+    if constexpr (std::same_as<ValueOf<Request, Get>, std::optional<std::filesystem::path>>)
+      if (field.of(request)) files.push_back(*field.of(request));
   });
   return files;
 }
@@ -133,6 +133,9 @@ QuestionCommand gaps_question();
 QuestionCommand poses_question();
 QuestionCommand touch_question();
 QuestionCommand limits_question();
+struct LimitsAnswer;
+/// Lines for a terminal: of one motion each limit with what it hangs on, of several a table.
+std::string describe(const LimitsAnswer& found);
 QuestionCommand certify_question();
 QuestionCommand measure_question();
 QuestionCommand volume_question();

@@ -76,7 +76,7 @@ ReportParts parts_of(const SessionJoint& joint, const ReportRequest& request, co
 }
 
 void add_files(Told& told, const SessionJoint& joint, const ReportAnswer& found, const ReportParts& parts) {
-  told.files = {{"report.html", report_page(parts)}, {"gaps.csv", gaps_csv(joint, found.gaps.found)}};
+  told.files = {{"report.html", report_page(parts)}, {"gaps.csv", gaps_csv(joint, found.gaps)}};
   if (const std::optional<ClockMap> map = clock_map(joint, found.gaps))
     told.files.push_back({"clock.csv", to_csv(clock_table(*map))});
   if (found.limits) told.files.push_back(csv_of<LimitRow>("limits.csv", found.limits->limits));

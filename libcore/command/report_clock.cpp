@@ -139,8 +139,8 @@ std::optional<ClockMap> clock_map(const SessionJoint& joint, const GapsAnswer& f
   map.rows = static_cast<std::size_t>(std::ceil(widest / ClockMap::kRowDeg));
   map.gap_mm.assign(map.rows * ClockMap::kColumns, ClockMap::kAbsent);
   map.against_cartilage = map.gap_mm;
-  map.touching = found.found.socket.touching;
-  for (const Face& face : socket.faces) add_face(face, socket, *joint.dial, found.found.socket, map);
+  map.touching = found.touching;
+  for (const Face& face : socket.faces) add_face(face, socket, *joint.dial, found.socket, map);
   return map;
 }
 

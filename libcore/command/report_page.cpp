@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "command/joint_command.hpp"
 #include "command/report_plots.hpp"
 #include "command/report_svg.hpp"
-#include "command/version.hpp"
 #include "files/formatted.hpp"
 
 namespace impinge {

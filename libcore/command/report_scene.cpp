@@ -6,7 +6,6 @@
 #include <cstring>
 #include <vector>
 
-#include "hip/gap_levels.hpp"
 #include "hip/rim_line.hpp"
 
 namespace impinge {
@@ -63,13 +62,6 @@ std::string gaps_text(const SurfaceAnswer& found) {
   return array_text(std::vector<float>(found.against_cartilage.begin(), found.against_cartilage.end()));
 }
 
-Json levels_of(Surface surface, double touching) {
-  Json levels = Json::array();
-  for (const GapLevel& level : gap_levels(surface, touching))
-    levels.push_back({{"up_to_mm", json_of(level.up_to_mm)}, {"rgb", level.colour}});
-  return levels;
-}
-
 Json joint_of(const SessionJoint& joint) {
   constexpr std::size_t kRimSectors = 96;
   std::vector<Vec3> rim;
@@ -95,17 +87,15 @@ Json joint_of(const SessionJoint& joint) {
 }  // namespace
 
 Json report_scene(const SessionJoint& joint, const GapsAnswer& found) {
-  const PoseAnswer& pose = found.found;
+  const auto& smallest = found.smallest_gap;
   return {{"joint", joint_of(joint)},
           {"pose",
-           {{"matrix", matrix_of(pose.pose.rotation, pose.pose.translation)},
-            {"ball_gap", gaps_text(pose.ball)},
-            {"socket_gap", gaps_text(pose.socket)},
-            {"smallest", pose.smallest ? Json{{"place", json_of(pose.smallest->place)}} : Json()},
-            {"colours",
-             {{"ball", levels_of(Surface::ball, pose.ball.touching)},
-              {"socket", levels_of(Surface::socket, pose.socket.touching)},
-              {"none", kNoGapColour}}}}}};
+           {{"matrix", matrix_of(found.pose.rotation, found.pose.translation)},
+            {"ball_gap", gaps_text(found.ball)},
+            {"socket_gap", gaps_text(found.socket)},
+            {"smallest_gap", json_of(smallest)},
+            {"place", smallest ? json_of(Vec3(smallest->position - joint.joint.centre)) : Json()},
+            {"colours", json_of(found.colours())}}}};
 }
 
 }  // namespace impinge

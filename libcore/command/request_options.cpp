@@ -41,14 +41,6 @@ CLI::Validator in_range(const Range& range, bool whole) {
       "");
 }
 
-Motion motion_option(const std::string& option, const std::string& text) {
-  try {
-    return parse_motion(text);
-  } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError(option, error.what());
-  }
-}
-
 Vec3 place_option(const std::string& option, const std::string& text) {
   Vec3 place;
   std::string_view rest = text;

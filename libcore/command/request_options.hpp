@@ -26,15 +26,16 @@ std::string option_name(std::string_view field);
 std::string type_name(std::string_view unit);
 /// Of numbers, or of whole ones alone.
 CLI::Validator in_range(const Range& range, bool whole = false);
-/// "flexion=90,internal_rotation=10", for an option; CLI::ValidationError.
-Motion motion_option(const std::string& option, const std::string& text);
-/// Three numbers as X,Y,Z, in the same way.
+/// Three numbers as X,Y,Z; CLI::ValidationError.
 Vec3 place_option(const std::string& option, const std::string& text);
 
-template <InWords E>
-std::string words_text(const char* between) {
+/// "left|right", or "MOTION".
+template <class T>
+requires(InWords<T> || std::same_as<T, Motion> || std::same_as<T, std::optional<Motion>>) std::string
+    words_or_motion(const char* between) {
+  if constexpr (!InWords<T>) return "MOTION";
   std::string text;
-  for (const std::string_view word : words_of<E>) text += (text.empty() ? "" : between) + std::string(word);
+  for (const std::string_view word : words_of<T>) text += (text.empty() ? "" : between) + std::string(word);
   return text;
 }
 
@@ -43,19 +44,17 @@ template <InWords Value>
 CLI::Option* add_word(CLI::App& command, const std::string& name, Value& value, const std::string& text) {
   return command
       .add_option_function<std::string>(
-          name,
-          [&value, name](const std::string& word) {
-            value = static_cast<Value>(place_among(word, words_of<Value>, name));
-          },
+          name, [&value, name](const std::string& word) { read_json(word, name, {}, value); },
           text + " [" + std::string(word_of(value)) + "]")
-      ->type_name(words_text<Value>("|"));
+      ->type_name(words_or_motion<Value>("|"));
 }
 
-template <class Owner, class Value>
-void add_field(CLI::App& command, const Field<Owner, Value>& field, Owner& request) {
+template <class Request, class Get>
+void add_field(CLI::App& command, const Field<Get>& field, Request& request) {
+  using Value = ValueOf<Request, Get>;
   const std::string name = option_name(field.name);
   std::string text(field.text);
-  Value& value = request.*field.member;
+  Value& value = field.of(request);
   CLI::Option* option = nullptr;
   if constexpr (std::same_as<Value, bool>) {
     option = command.add_flag(name, value, text);
@@ -63,32 +62,18 @@ void add_field(CLI::App& command, const Field<Owner, Value>& field, Owner& reque
     option = add_word(command, name, value, text);
   } else if constexpr (std::same_as<Value, Motion> || std::same_as<Value, std::optional<Motion>>) {
     option = command.add_option_function<std::string>(
-        name, [&value, name](const std::string& given) { value = motion_option(name, given); }, text);
-    option->type_name("MOTION");
+        name, [&value, name](const std::string& given) { read_json(given, name, {}, value); }, text);
+    option->type_name(words_or_motion<Value>("|"));
   } else if constexpr (std::same_as<Value, std::optional<Vec3>>) {
     option = command.add_option_function<std::string>(
         name, [&value, name](const std::string& given) { value = place_option(name, given); }, text);
     option->type_name("X,Y,Z");
-  } else if constexpr (std::same_as<Value, std::vector<Motion>>) {
+  } else if constexpr (requires { words_or_motion<typename Value::value_type>(","); }) {
     option = command.add_option_function<std::vector<std::string>>(
-        name,
-        [&value, name](const std::vector<std::string>& given) {
-          value.clear();
-          for (const std::string& one : given) value.push_back(motion_option(name, one));
-        },
+        name, [&value, name](const std::vector<std::string>& given) { read_json(given, name, {}, value); },
         text);
-    option->type_name("MOTION")->allow_extra_args(false);
-  } else if constexpr (requires { requires InWords<typename Value::value_type>; }) {
-    using Word = typename Value::value_type;
-    option = command.add_option_function<std::vector<std::string>>(
-        name,
-        [&value, name](const std::vector<std::string>& given) {
-          value.clear();  // of what is there without it
-          for (const std::string& word : given)
-            value.push_back(static_cast<Word>(place_among(word, words_of<Word>, name)));
-        },
-        text);
-    option->delimiter(',')->allow_extra_args(false)->type_name(words_text<Word>(","));
+    option->allow_extra_args(false)->type_name(words_or_motion<typename Value::value_type>(","));
+    if constexpr (InWords<typename Value::value_type>) option->delimiter(',');
   } else if constexpr (std::same_as<Value, std::vector<std::string>>) {
     option =
         command.add_option(name, value, text)->delimiter(',')->allow_extra_args(false)->type_name("NAME,...");

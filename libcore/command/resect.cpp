@@ -32,12 +32,13 @@ std::string swept_csv(const std::vector<LeastCut::Cell>& cells) {
   return to_csv(table);
 }
 
-std::string ends_text(const TwoEnds& ends, int places, const char* unit) {
-  return rounded_down(ends[0], places) + " to " + rounded_up(ends[1], places) + " " + unit;
+std::string ends_text(const Ends& ends, int places, const char* unit) {
+  return rounded_down(ends.low, places) + " to " + rounded_up(ends.high, places) + " " + unit;
 }
 
-std::string extent_text(const CutExtent& size, Surface cut) {
-  const std::string volume = size.volume_mm3 ? ends_text(*size.volume_mm3, 1, "mm^3") + " over " : "";
+std::string extent_text(const CutSize& size, Surface cut) {
+  const std::string volume =
+      known_ends(size.volume_mm3) ? ends_text(size.volume_mm3, 1, "mm^3") + " over " : "";
   return volume + ends_text(size.area_mm2, 1, "mm^2") + " of the " + std::string(name(cut)) + "'s surface, " +
          ends_text(size.depth_mm, 2, "mm");
 }

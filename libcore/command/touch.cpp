@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/touch.hpp"
 
-#include "command/pose_words.hpp"
 #include "command/question_command.hpp"
 
 namespace impinge {

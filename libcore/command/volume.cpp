@@ -122,16 +122,17 @@ void write_cells(const std::filesystem::path& path, const MotionVolume& volume) 
 }
 
 std::string words_of_volume(const VolumeAnswer& found, double width) {
-  std::string text = formatted("free                %.2f to %.2f %% of all rotations",
-                               100.0 * found.share_low, 100.0 * found.share_high);
-  if (found.unknown > 0.0)
-    text += formatted("; of %.2f %% nothing is known: the ball's mesh ends there", 100.0 * found.unknown);
-  if (found.neutral_blocked) return text + "\nreachable           none: the pose of the scan is blocked\n";
+  const VolumeShares& shares = found.shares();
+  std::string text = formatted("free                %.2f to %.2f %% of all rotations", 100.0 * shares.low(),
+                               100.0 * shares.high());
+  if (shares.unknown > 0.0)
+    text += formatted("; of %.2f %% nothing is known: the ball's mesh ends there", 100.0 * shares.unknown);
+  if (found.neutral_blocked()) return text + "\nreachable           none: the pose of the scan is blocked\n";
   text += formatted("\nreachable           %.2f to %.2f %% from the pose of the scan without contact\n",
-                    100.0 * found.reachable_low, 100.0 * found.reachable_high);
-  if (found.open > width)
+                    100.0 * shares.reached(), 100.0 * shares.within_reach());
+  if (shares.open > width)
     text += formatted("undecided           %.2f %%: more than was wanted, after %zu cells\n",
-                      100.0 * found.open, found.cells_asked);
+                      100.0 * shares.open, shares.cells);
   return text;
 }
 

@@ -35,7 +35,7 @@ Cell cell_of(const T& value) {
 template <Described Row>
 std::vector<Cell> cells_of(const Row& row) {
   std::vector<Cell> cells;
-  for_each_field<Row>([&](const auto& field) { cells.push_back(cell_of(row.*field.member)); });
+  for_each_field<Row>([&](const auto& field) { cells.push_back(cell_of(field.of(row))); });
   return cells;
 }
 

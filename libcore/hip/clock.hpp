@@ -42,5 +42,8 @@ std::vector<ClockZone> clock_zones(std::span<const double> hours, std::span<cons
 
 /// "1:30" for 1.5; 0 is "12:00".
 std::string clock_text(double hours);
+inline std::optional<std::string> clock_text(const std::optional<double>& hours) {
+  return hours ? std::optional(clock_text(*hours)) : std::nullopt;
+}
 
 }  // namespace impinge

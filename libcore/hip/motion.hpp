@@ -21,14 +21,16 @@ struct Motion {
   double abduction = 0.0;          // of the femur away from the midline; adduction is negative
   double internal_rotation = 0.0;  // of the femur's front towards the midline; external rotation is negative
 
-  static constexpr auto fields() {
-    return std::tuple{
-        Field{"flexion", "deg", "of the femur forward; extension is negative", &Motion::flexion},
-        Field{"abduction", "deg", "away from the midline; adduction is negative", &Motion::abduction},
-        Field{"internal_rotation", "deg", "of the front towards the midline; external is negative",
-              &Motion::internal_rotation}};
-  }
+  static constexpr std::tuple fields{
+      Field{"flexion", "deg", "of the femur forward; extension is negative", &Motion::flexion},
+      Field{"abduction", "deg", "away from the midline; adduction is negative", &Motion::abduction},
+      Field{"internal_rotation", "deg", "of the front towards the midline; external is negative",
+            &Motion::internal_rotation}};
 };
+/// The pose that all angles are counted from.
+inline bool is_rest(const Motion& pose) {
+  return pose.flexion == 0.0 && pose.abduction == 0.0 && pose.internal_rotation == 0.0;
+}
 
 /// One of the six motions: an angle of Motion, and which way it counts.
 struct MotionName {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "files/stopwatch.hpp"
 #include "mesh/surface_vertices.hpp"
 
 namespace impinge {
@@ -49,13 +48,11 @@ VerdictCount count_verdicts(std::span<const double> gap, std::span<const double>
 
 Certificate certify(const SurfaceOverlay& joint, const Pose& pose, const GapEvidence& ball,
                     const GapEvidence& socket) {
-  Stopwatch watch;
   Certificate certificate;
   certificate.ball = decide(joint, pose, Surface::ball, ball);
   certificate.socket = decide(joint, pose, Surface::socket, socket);
   certificate.deepest = joint.deepest(pose);
   certificate.surfaces_impinged = certificate.deepest.has_value();
-  certificate.seconds = watch.lap_s();
   return certificate;
 }
 

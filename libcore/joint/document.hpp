@@ -36,8 +36,7 @@ template <class T>
 Json json_of(const T& value) {
   if constexpr (Described<T>) {
     Json object = Json::object();
-    for_each_field<T>(
-        [&](const auto& field) { object[std::string(field.name)] = json_of(value.*field.member); });
+    for_each_field<T>([&](const auto& field) { object[std::string(field.name)] = json_of(field.of(value)); });
     return object;
   } else if constexpr (is_optional<T>) {
     return value ? json_of(*value) : Json(nullptr);
@@ -76,8 +75,8 @@ template <class T>
 Json schema_of() {
   if constexpr (Described<T>) {
     Json properties = Json::object();
-    for_each_field<T>([&]<class Owner, class Value>(const Field<Owner, Value>& field) {
-      Json& property = properties[std::string(field.name)] = schema_of<Value>();
+    for_each_field<T>([&]<class Get>(const Field<Get>& field) {
+      Json& property = properties[std::string(field.name)] = schema_of<ValueOf<T, Get>>();
       property["description"] = field.text;
       if (!field.unit.empty()) property["unit"] = field.unit;
     });
@@ -165,7 +164,7 @@ void read_request(const Json& given, Request& request) {
     const std::size_t place = place_among(item.key(), names, "request");
     std::size_t k = 0;
     for_each_field<Request>([&](const auto& field) {
-      if (k++ == place) read_json(item.value(), field.name, field.range, request.*field.member);
+      if (k++ == place) read_json(item.value(), field.name, field.range, field.of(request));
     });
   }
 }

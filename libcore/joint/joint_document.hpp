@@ -2,7 +2,7 @@
 // What a document says of the joint that a question was asked of.
 #pragma once
 
-#include <cstddef>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,133 +15,95 @@
 namespace impinge {
 
 /// The faces of a whole bone that were taken as the surface of the joint (hip/whole_bone.hpp).
-struct TakenDocument {
-  std::size_t faces = 0;
-  std::size_t of = 0;
-  double within_mm = 0.0;
+template <>
+inline constexpr std::tuple fields_of<TakenFaces>{
+    Field{"faces", "1", "taken as the surface of the joint; the rest counts as bone", &TakenFaces::faces},
+    Field{"of", "1", "faces of the whole bone", &TakenFaces::of},
+    Field{"within_mm", "mm", "from the centre they are taken", &TakenFaces::within_mm}};
 
-  static constexpr auto fields() {
-    using Taken = TakenDocument;
-    return std::tuple{
-        Field{"faces", "1", "taken as the surface of the joint; the rest counts as bone", &Taken::faces},
-        Field{"of", "1", "faces of the whole bone", &Taken::of},
-        Field{"within_mm", "mm", "from the centre they are taken", &Taken::within_mm}};
-  }
-};
+/// Frames from landmarks (hip/landmarks.hpp).
+template <>
+inline constexpr std::tuple fields_of<AnatomicalFrames>{
+    Field{"pelvic_tilt_deg", "deg", "of the anterior pelvic plane from upright; forward is positive",
+          &AnatomicalFrames::pelvic_tilt_deg},
+    Field{"scanned_flexion_deg", "deg", "of the femur in the scan",
+          via(&AnatomicalFrames::scanned, &Motion::flexion)},
+    Field{"scanned_abduction_deg", "deg", "of the femur in the scan",
+          via(&AnatomicalFrames::scanned, &Motion::abduction)},
+    Field{"scanned_internal_rotation_deg", "deg", "of the femur in the scan",
+          via(&AnatomicalFrames::scanned, &Motion::internal_rotation)}};
 
-/// One bone, as it was given (mesh/validation.hpp, mesh/star_shape.hpp).
-struct BoneDocument {
+template <>
+inline constexpr std::tuple fields_of<CartilageMap>{
+    Field{"points", "1", "of the map", [](const CartilageMap& map) { return map.thickness.size(); }},
+    Field{"thinnest_mm", "mm", "both layers together",
+          [](const CartilageMap& map) {
+            return *std::min_element(map.thickness.begin(), map.thickness.end());
+          }},
+    Field{"thickest_mm", "mm", "both layers together", [](const CartilageMap& map) {
+            return *std::max_element(map.thickness.begin(), map.thickness.end());
+          }}};
+
+/// One bone, as it was given.
+struct BoneDocument : MeshReport, StarShapeReport {
   std::string mesh;
   std::vector<std::string> parts;
-  std::size_t vertices = 0;
-  std::size_t faces = 0;
-  std::size_t boundary_edges = 0;
-  std::size_t non_manifold_edges = 0;
-  std::size_t degenerate_faces = 0;
-  std::size_t duplicate_faces = 0;
-  std::size_t flipped_faces = 0;
-  std::size_t components = 0;
-  bool star_shaped = false;
-  double directions_covered = 0.0;
-  double directions_met_more_than_once = 0.0;
-  std::optional<TakenDocument> taken;
+  std::optional<TakenFaces> taken;
 
-  static constexpr auto fields() {
-    using Bone = BoneDocument;
-    return std::tuple{
-        Field{"mesh", "", "its file, or what it is called", &Bone::mesh},
-        Field{"parts", "", "files of bone beside it", &Bone::parts},
-        Field{"vertices", "1", "of the mesh as given", &Bone::vertices},
-        Field{"faces", "1", "of the mesh as given", &Bone::faces},
-        Field{"boundary_edges", "1", "edges of one face", &Bone::boundary_edges},
-        Field{"non_manifold_edges", "1", "edges of more than two faces", &Bone::non_manifold_edges},
-        Field{"degenerate_faces", "1", "faces without area", &Bone::degenerate_faces},
-        Field{"duplicate_faces", "1", "faces that are there twice", &Bone::duplicate_faces},
-        Field{"flipped_faces", "1", "faces wound against their neighbours", &Bone::flipped_faces},
-        Field{"components", "1", "pieces that do not hang together", &Bone::components},
-        Field{"star_shaped", "", "does every ray from the centre meet it once at most?", &Bone::star_shaped},
-        Field{"directions_covered", "1", "share of all directions in which it is met",
-              &Bone::directions_covered},
-        Field{"directions_met_more_than_once", "1", "share of all directions",
-              &Bone::directions_met_more_than_once},
-        Field{"taken", "", "of a whole bone, what was taken as the surface of the joint", &Bone::taken}};
-  }
+  static constexpr std::tuple fields{
+      Field{"mesh", "", "its file, or what it is called", &BoneDocument::mesh},
+      Field{"parts", "", "files of bone beside it", &BoneDocument::parts},
+      Field{"vertices", "1", "of the mesh as given", &BoneDocument::vertices},
+      Field{"faces", "1", "of the mesh as given", &BoneDocument::faces},
+      Field{"boundary_edges", "1", "edges of one face", &BoneDocument::boundary_edges},
+      Field{"non_manifold_edges", "1", "edges of more than two faces", &BoneDocument::non_manifold_edges},
+      Field{"degenerate_faces", "1", "faces without area", &BoneDocument::degenerate_faces},
+      Field{"duplicate_faces", "1", "faces that are there twice", &BoneDocument::duplicate_faces},
+      Field{"flipped_faces", "1", "faces wound against their neighbours", &BoneDocument::flipped_faces},
+      Field{"components", "1", "pieces that do not hang together", &BoneDocument::components},
+      Field{"star_shaped", "", "does every ray from the centre meet it once at most?",
+            &BoneDocument::star_shaped},
+      Field{"directions_covered", "1", "share of all directions in which it is met", &BoneDocument::covered},
+      Field{"directions_met_more_than_once", "1", "share of all directions", &BoneDocument::violating},
+      Field{"taken", "", "of a whole bone, what was taken as the surface of the joint",
+            &BoneDocument::taken}};
 };
 
 struct CentreDocument {
   Vec3 position = Vec3::Zero();
-  std::string_view source;
-  std::optional<double> radius_mm;
-  std::optional<double> residual_rms_mm;
-  std::optional<std::size_t> vertices_used;
+  std::optional<SphereFit> fit;
 
-  static constexpr auto fields() {
-    using Centre = CentreDocument;
-    return std::tuple{
-        Field{"position", "mm", "x, y, z in the frame of the meshes", &Centre::position},
-        Field{"source", "", "fitted or given", &Centre::source},
-        Field{"radius_mm", "mm", "of the fitted sphere", &Centre::radius_mm},
-        Field{"residual_rms_mm", "mm", "of the vertices that it was fitted to", &Centre::residual_rms_mm},
-        Field{"vertices_used", "1", "by the fit", &Centre::vertices_used}};
-  }
-};
-
-/// Of frames from landmarks (hip/landmarks.hpp).
-struct LandmarksDocument {
-  double pelvic_tilt_deg = 0.0;
-  std::optional<double> scanned_flexion_deg;
-  std::optional<double> scanned_abduction_deg;
-  std::optional<double> scanned_internal_rotation_deg;
-
-  static constexpr auto fields() {
-    using Found = LandmarksDocument;
-    return std::tuple{
-        Field{"pelvic_tilt_deg", "deg", "of the anterior pelvic plane from upright; forward is positive",
-              &Found::pelvic_tilt_deg},
-        Field{"scanned_flexion_deg", "deg", "of the femur in the scan", &Found::scanned_flexion_deg},
-        Field{"scanned_abduction_deg", "deg", "of the femur in the scan", &Found::scanned_abduction_deg},
-        Field{"scanned_internal_rotation_deg", "deg", "of the femur in the scan",
-              &Found::scanned_internal_rotation_deg}};
-  }
-};
-
-struct CartilageDocument {
-  std::size_t points = 0;
-  double thinnest_mm = 0.0;
-  double thickest_mm = 0.0;
-
-  static constexpr auto fields() {
-    using Map = CartilageDocument;
-    return std::tuple{Field{"points", "1", "of the map", &Map::points},
-                      Field{"thinnest_mm", "mm", "both layers together", &Map::thinnest_mm},
-                      Field{"thickest_mm", "mm", "both layers together", &Map::thickest_mm}};
-  }
+  static constexpr std::tuple fields{
+      Field{"position", "mm", "x, y, z in the frame of the meshes", &CentreDocument::position},
+      Field{"source", "", "fitted or given",
+            [](const auto& centre) { return std::string_view(centre.fit ? "fitted" : "given"); }},
+      Field{"radius_mm", "mm", "of the fitted sphere", via(&CentreDocument::fit, &SphereFit::radius)},
+      Field{"residual_rms_mm", "mm", "of the vertices that it was fitted to",
+            via(&CentreDocument::fit, &SphereFit::rms)},
+      Field{"vertices_used", "1", "by the fit", via(&CentreDocument::fit, &SphereFit::points)}};
 };
 
 struct JointDocument {
   BoneDocument ball;
   BoneDocument socket;
   CentreDocument centre;
-  std::optional<Side> side;
-  std::string axes;
-  std::optional<LandmarksDocument> landmarks;
-  std::optional<CartilageDocument> cartilage_map;
-  double overlap_mm = 0.0;
-  std::vector<std::string> warnings;
+  const SessionJoint* joint;
 
-  static constexpr auto fields() {
-    using Said = JointDocument;
-    return std::tuple{
-        Field{"ball", "", "the bone with the ball", &Said::ball},
-        Field{"socket", "", "the bone with the socket", &Said::socket},
-        Field{"centre", "", "of rotation", &Said::centre},
-        Field{"side", "", "of the body", &Said::side},
-        Field{"axes", "", "where +x, +y and +z of the meshes point", &Said::axes},
-        Field{"landmarks", "", "what they say; null without", &Said::landmarks},
-        Field{"cartilage_map", "", "null where the thickness is one number", &Said::cartilage_map},
-        Field{"overlap_mm", "mm", "of the surfaces along a ray that is no contact", &Said::overlap_mm},
-        Field{"warnings", "", "what may be wrong with what was given, one line each", &Said::warnings}};
-  }
+  static constexpr std::tuple fields{
+      Field{"ball", "", "the bone with the ball", &JointDocument::ball},
+      Field{"socket", "", "the bone with the socket", &JointDocument::socket},
+      Field{"centre", "", "of rotation", &JointDocument::centre},
+      Field{"side", "", "of the body", via(&JointDocument::joint, &SessionJoint::side)},
+      Field{"axes", "", "where +x, +y and +z of the meshes point",
+            via(&JointDocument::joint, &SessionJoint::joint, &Joint::axes)},
+      Field{"landmarks", "", "what they say; null without",
+            via(&JointDocument::joint, &SessionJoint::joint, &Joint::frames)},
+      Field{"cartilage_map", "", "null where the thickness is one number",
+            via(&JointDocument::joint, &SessionJoint::joint, &Joint::cartilage)},
+      Field{"overlap_mm", "mm", "of the surfaces along a ray that is no contact",
+            via(&JointDocument::joint, &SessionJoint::joint, &Joint::overlap_mm)},
+      Field{"warnings", "", "what may be wrong with what was given, one line each",
+            via(&JointDocument::joint, &SessionJoint::joint, &Joint::warnings)}};
 };
 
 /// What the meshes are called; the parts as their files are.
@@ -152,6 +114,16 @@ struct JointNames {
   std::vector<std::string> socket_parts{};
 };
 
-JointDocument describe(const SessionJoint& joint, const JointNames& names);
+/// It is of the joint, which it needs.
+inline JointDocument describe(const SessionJoint& joint, const JointNames& names) {
+  const auto bone = [](const JointPart& of, const std::string& mesh, const std::vector<std::string>& parts) {
+    return BoneDocument{of.validation, of.star_shape, mesh, parts, of.taken};
+  };
+  const Joint& read = joint.joint;
+  return {bone(read.ball, names.ball, names.ball_parts),
+          bone(read.socket, names.socket, names.socket_parts),
+          {read.centre, read.fit},
+          &joint};
+}
 
 }  // namespace impinge

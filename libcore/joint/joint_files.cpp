@@ -5,11 +5,12 @@
 
 #include "files/csv.hpp"
 #include "hip/gap_files.hpp"
+#include "joint/pose_answer.hpp"
 
 namespace impinge {
 namespace {
 
-std::vector<Vec3> in_input_frame(const SessionJoint& joint, const PoseAnswer& found, Surface surface) {
+std::vector<Vec3> in_input_frame(const SessionJoint& joint, const GapsAnswer& found, Surface surface) {
   std::vector<Vec3> places = posed_places(joint, found.pose, surface);
   for (Vec3& x : places) x += joint.joint.centre;
   return places;
@@ -17,13 +18,13 @@ std::vector<Vec3> in_input_frame(const SessionJoint& joint, const PoseAnswer& fo
 
 }  // namespace
 
-std::string gaps_csv(const SessionJoint& joint, const PoseAnswer& found) {
+std::string gaps_csv(const SessionJoint& joint, const GapsAnswer& found) {
   const std::vector<Vec3> ball = in_input_frame(joint, found, Surface::ball);
   const std::vector<Vec3> socket = in_input_frame(joint, found, Surface::socket);
   return gaps_csv({Surface::ball, ball, found.ball.gap}, {Surface::socket, socket, found.socket.gap});
 }
 
-std::string distances_csv(const PoseAnswer& found) {
+std::string distances_csv(const GapsAnswer& found) {
   Table table;
   table.columns = {
       {"surface", "", "ball or socket"},
@@ -40,13 +41,13 @@ std::string distances_csv(const PoseAnswer& found) {
   return to_csv(table);
 }
 
-std::string surface_file(const SessionJoint& joint, const PoseAnswer& found, Surface surface,
+std::string surface_file(const SessionJoint& joint, const GapsAnswer& found, Surface surface,
                          const std::function<std::string(const TriangleMesh&, const MeshNotes&)>& write) {
   const bool ball = surface == Surface::ball;
   const SurfaceAnswer& answer = found.of(surface);
   const TriangleMesh mesh{in_input_frame(joint, found, surface),
                           ball ? joint.joint.ball.mesh.faces : joint.joint.socket.mesh.faces};
-  const std::vector<GapLevel> levels = gap_levels(surface, answer.touching);
+  const std::vector<GapLevel> levels = gap_levels(surface, found.touching);
   std::vector<double> overlap;
   for (const double gap : answer.gap) overlap.push_back(gap >= 0.0 ? 0.0 : -gap);
   MeshNotes notes{.axes = joint.joint.axes, .values = {{"gap", answer.gap}, {"radial_overlap", overlap}}};

@@ -13,6 +13,7 @@
 #include "files/formatted.hpp"
 #include "hip/named_motion.hpp"
 #include "joint/document.hpp"
+#include "joint/pose_answer.hpp"
 #include "mesh/mesh_parts.hpp"
 
 namespace impinge {
@@ -56,17 +57,20 @@ Vec3 point_of(SessionJoint& joint, Surface of, const Vec3& place, double within_
 }
 
 // The dial and the places are about the joint's centre, the meeting about the centre of the turn.
-LimitAnswer answered(Session& session, Surface about, const JointTurn& turn, double threshold,
-                     double largest) {
+LimitAnswer answered(Session& session, const LimitRequest& asked, Surface about, double threshold) {
   SessionJoint& joint = *session.joint;
   const bool of_socket = about == Surface::socket;
   const CentredLimits& centred = of_socket ? *session.socket_limits : *session.limits;
-  LimitAnswer limit{of_socket ? "socket" : "ball",
-                    joint.joint.centre + joint.axes.transpose() * centred.centre,
-                    told_limit(centred.limits, turn, threshold, largest),
-                    std::nullopt,
-                    "",
-                    ""};
+  const JointTurn turn = joint_turn(asked.start, motion_name(asked.growing), joint.side);
+  LimitAnswer limit;
+  limit.motion = asked.motion.empty() ? asked.growing : asked.motion;
+  limit.centre = name(about);
+  limit.start = asked.start;
+  limit.largest_deg = largest_of(asked);
+  limit.told = told_limit(centred.limits, turn, threshold, limit.largest_deg);
+  limit.centre_of_rotation = joint.joint.centre + joint.axes.transpose() * centred.centre;
+  if (const auto& contact = limit.told.limit.contact)
+    limit.position = joint.axes.transpose() * contact->place + limit.centre_of_rotation;
   const auto at = meeting_of(centred, turn, limit.told);
   if (!at) return limit;
   if (joint.dial) limit.hours = joint.dial->hours(at->place + centred.centre);
@@ -103,50 +107,6 @@ void make_limits(Session& session, bool about_socket) {
       bones, BallSocketPair{relative_to(meshes.ball, centre), relative_to(meshes.socket, centre)}, centre);
 }
 
-bool is_rest(const Motion& start) {
-  return start.flexion == 0.0 && start.abduction == 0.0 && start.internal_rotation == 0.0;
-}
-
-std::optional<std::string> text_or_none(std::string text) {
-  return text.empty() ? std::nullopt : std::optional(std::move(text));
-}
-
-std::optional<double> end_or_none(const CentreInterval& range) {
-  return range.limited ? std::optional(range.high_deg) : std::nullopt;
-}
-
-LimitDocument document_of(const SessionJoint& joint, std::string_view motion, const LimitRequest& asked,
-                          double largest_deg, const LimitAnswer& answer) {
-  const ToldLimit& told = answer.told;
-  const TurnLimit& limit = told.limit;
-  LimitDocument found;
-  found.motion = motion;
-  found.threshold_mm = told.threshold_mm;
-  found.centre = answer.about;
-  found.state = limit.state;
-  found.low_deg = limit.low_deg;
-  found.high_deg = limit.high_deg;
-  found.centre_low_deg = told.common.low_deg;
-  found.centre_high_deg = end_or_none(told.common);
-  found.half_mm_gap_deg = told.half_mm_gap_deg;
-  if (answer.hours) found.clock = clock_text(*answer.hours);
-  found.what = what_of(answer);
-  found.start = asked.start;
-  found.largest_deg = largest_deg;
-  found.centre_of_rotation = answer.centre;
-  found.play_low_deg = told.play.low_deg;
-  found.play_high_deg = end_or_none(told.play);
-  found.hangs_on_less_than_half_mm = told.hangs_on_less();
-  found.leaves_ball_mesh_deg = limit.leaves_mesh_deg;
-  found.ball_part = text_or_none(answer.ball_part);
-  found.socket_part = text_or_none(answer.socket_part);
-  found.meets = text_or_none(meets(answer));
-  if (!limit.contact) return found;
-  found.position = joint.axes.transpose() * limit.contact->place + answer.centre;
-  found.contact = limit.contact->kind;
-  return found;
-}
-
 }  // namespace
 
 CentredLimits::CentredLimits(const Joint& joint, BallSocketPair about, const Vec3& from_centre)
@@ -155,29 +115,24 @@ CentredLimits::CentredLimits(const Joint& joint, BallSocketPair about, const Vec
       limits({main_surface(meshes.ball, joint.ball.parts), main_surface(meshes.socket, joint.socket.parts)},
              bone_parts({meshes.ball, joint.ball.parts}, {meshes.socket, joint.socket.parts})) {}
 
-LimitAnswers answer_limits(Session& session, const LimitRequest& request) {
-  const double largest = largest_of(request);
+std::vector<LimitAnswer> answer_limits(Session& session, const LimitRequest& request) {
+  largest_of(request);  // refuses what cannot grow
   shift_ball(session, request.translation);
   const bool shifted = !request.translation.isZero(0.0);
   make_limits(session, !shifted);
-  const SessionJoint& joint = *session.joint;
-  const JointTurn turn = joint_turn(request.start, motion_name(request.growing), joint.side);
-  const LimitAnswer contact = answered(session, Surface::ball, turn, 0.0, largest);
-  const double threshold = request.cartilage_mm;
-  LimitAnswers answer{largest, contact, std::nullopt,
-                      threshold > 0.0 ? answered(session, Surface::ball, turn, threshold, largest) : contact};
-  if (!shifted && session.socket_limits)
-    answer.socket = answered(session, Surface::socket, turn, 0.0, largest);
-  return answer;
+  std::vector<LimitAnswer> limits{answered(session, request, Surface::ball, 0.0)};
+  if (!shifted && session.socket_limits) limits.push_back(answered(session, request, Surface::socket, 0.0));
+  if (request.cartilage_mm > 0.0)
+    limits.push_back(answered(session, request, Surface::ball, request.cartilage_mm));
+  return limits;
 }
 
-std::string meets(const LimitAnswer& answer) {
-  return answer.ball_part.empty() ? "" : meeting_words(answer.ball_part, answer.socket_part);
+std::optional<std::string> LimitRow::meets() const {
+  return ball_part ? std::optional(meeting_words(*ball_part, *socket_part)) : std::nullopt;
 }
 
-std::string what_of(const LimitAnswer& answer) {
-  const ToldLimit& told = answer.told;
-  std::string what = meets(answer);
+std::string LimitRow::what() const {
+  std::string what = meets().value_or("");
   const auto add = [&what](const std::string& doubt) { what += (what.empty() ? "" : "; ") + doubt; };
   if (told.hangs_on_less())
     add(formatted("sensitive to less than %g mm", kErrorOfInput));
@@ -194,18 +149,6 @@ void LimitsRequest::check() const {
   });
 }
 
-std::vector<LimitDocument> documents_of(const SessionJoint& joint, std::string_view motion,
-                                        const LimitRequest& asked, const LimitAnswers& found) {
-  std::vector<LimitDocument> limits;
-  const auto add = [&](const LimitAnswer& limit) {
-    limits.push_back(document_of(joint, motion, asked, found.largest_deg, limit));
-  };
-  add(found.contact);
-  if (found.socket) add(*found.socket);
-  if (asked.cartilage_mm > 0.0) add(found.cartilage);
-  return limits;
-}
-
 LimitsAnswer answer(Session& session, const LimitsRequest& request) {
   request.check();
   LimitsAnswer answer{.centre_within_mm = kErrorOfInput, .limits = {}};
@@ -215,12 +158,11 @@ LimitsAnswer answer(Session& session, const LimitsRequest& request) {
     if (!(request.motions.empty() ? !request.pose || is_rest(motion.start) : named)) continue;
     const LimitRequest one{.start = request.pose.value_or(motion.start),
                            .growing = std::string(motion.growing),
+                           .motion = motion.name,
                            .largest_deg = request.largest_deg,
                            .translation = request.translation.value_or(Vec3::Zero()),
                            .cartilage_mm = request.cartilage_mm};
-    const LimitAnswers found = answer_limits(session, one);
-    for (LimitDocument& limit : documents_of(*session.joint, motion.name, one, found))
-      answer.limits.push_back(std::move(limit));
+    for (LimitAnswer& limit : answer_limits(session, one)) answer.limits.push_back(std::move(limit));
   }
   return answer;
 }
@@ -231,7 +173,7 @@ Sweep sweep(Session& session, const LimitRequest& request, double step_deg) {
   end.*growing.angle += growing.sign * largest_of(request);
   Sweep found;
   for (const Motion& motion : motion_path(request.start, end, step_deg)) {
-    const auto smallest = answer_pose(session, {motion, request.translation, 0.0}).smallest;
+    const auto smallest = answer_pose(session, {motion, request.translation, 0.0}).smallest_gap;
     found.angles.push_back(growing.sign * (motion.*growing.angle - request.start.*growing.angle));
     found.smallest.push_back(smallest ? smallest->gap_mm : std::numeric_limits<double>::quiet_NaN());
   }

@@ -50,17 +50,6 @@ SceneAnswer answer_needed(const BallSocketPair& joint, const SceneNeeds& needs, 
 
 }  // namespace
 
-std::vector<LeftOut> left_out_of(const PoseOutputs& outputs) {
-  std::vector<LeftOut> left_out;
-  const auto add = [&](const char* what, const char* meaning) {
-    left_out.push_back({what, meaning, "not asked for"});
-  };
-  if (!outputs.need_bounds()) add("error_bounds", "no bounds of single gaps");
-  if (!outputs.distances) add("distances", "no Euclidean distances");
-  if (!outputs.verdicts) add("exact_verdicts", "no exact verdicts");
-  return left_out;
-}
-
 NeededVertices all_vertices(const BallSocketPair& joint, const SceneNeeds& needs) {
   NeededVertices all;
   for (const Surface of : kSurfaces) {

@@ -9,7 +9,7 @@
 //   many poses: touch, smallest gap           caps of faces (contact)  few       none
 //   many poses: all gaps                      exact cells (gap/simd)   all       none
 //
-// An output that is not asked for is not worked out (PoseOutputs). An accuracy needs no table: gaps of the
+// An accuracy needs no table: gaps of the
 // faces are off by rounding alone, and for one pose they take less time than to fill one.
 //
 // Which vertices. All entries that a look-up along x reads are within the stencil radius s of x, and the
@@ -55,16 +55,6 @@ struct SceneNeeds {
   bool scans(Surface of) const { return of == Surface::ball ? ball : socket; }
 };
 
-/// What is worked out besides the answer to the question.
-struct PoseOutputs {
-  bool gaps = true;       // of every vertex
-  bool bounds = true;     // proven, of the error of every gap
-  bool distances = true;  // Euclidean
-  bool verdicts = true;   // exact, on vertices and surfaces; they rest on the bounds
-
-  bool need_bounds() const { return bounds || verdicts; }  // of each gap
-};
-
 /// One kind of work that was left out.
 struct LeftOut {
   std::string_view what;     // in one word
@@ -72,9 +62,6 @@ struct LeftOut {
   std::string reason;        // the same, with the numbers that it rests on
   double bytes_saved = 0.0;  // of memory; negative if leaving it out takes more
 };
-
-/// The outputs that are not asked for.
-std::vector<LeftOut> left_out_of(const PoseOutputs& outputs);
 
 /// Of each scan the vertices to look at, and what their choice rests on.
 struct NeededVertices {

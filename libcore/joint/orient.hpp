@@ -22,21 +22,18 @@ struct OrientRequest {
   /// std::invalid_argument for what cannot be required.
   void check() const { check_required(require); }
 
-  static constexpr auto fields() {
-    using Asked = OrientRequest;
-    return std::tuple{
-        Field{"require", "deg", kRequireText, &Asked::require},
-        Field{"tilt_deg",
-              "deg",
-              "of the pelvis backwards from its pose in the scan, which turns the socket forward",
-              &Asked::tilt_deg,
-              {-90.0, 90.0}},
-        Field{"resolution_deg",
-              "deg",
-              "of the map: undecided squares are not split below this",
-              &Asked::resolution_deg,
-              {0.01, 90.0}}};
-  }
+  static constexpr std::tuple fields{
+      Field{"require", "deg", kRequireText, &OrientRequest::require},
+      Field{"tilt_deg",
+            "deg",
+            "of the pelvis backwards from its pose in the scan, which turns the socket forward",
+            &OrientRequest::tilt_deg,
+            {-90.0, 90.0}},
+      Field{"resolution_deg",
+            "deg",
+            "of the map: undecided squares are not split below this",
+            &OrientRequest::resolution_deg,
+            {0.01, 90.0}}};
 };
 
 /// The socket as it is.
@@ -45,12 +42,10 @@ struct CupAsScanned {
   double anteversion_deg = 0.0;
   CellState state = CellState::open;
 
-  static constexpr auto fields() {
-    using Cup = CupAsScanned;
-    return std::tuple{Field{"inclination_deg", "deg", "radiographic (Murray 1993)", &Cup::inclination_deg},
-                      Field{"anteversion_deg", "deg", "radiographic (Murray 1993)", &Cup::anteversion_deg},
-                      Field{"state", "", "of the square of the map that holds it", &Cup::state}};
-  }
+  static constexpr std::tuple fields{
+      Field{"inclination_deg", "deg", "radiographic (Murray 1993)", &CupAsScanned::inclination_deg},
+      Field{"anteversion_deg", "deg", "radiographic (Murray 1993)", &CupAsScanned::anteversion_deg},
+      Field{"state", "", "of the square of the map that holds it", &CupAsScanned::state}};
 };
 
 /// A square of angles.
@@ -60,13 +55,11 @@ struct MapExtent {
   double width_deg = 0.0;
   std::size_t squares = 0;
 
-  static constexpr auto fields() {
-    using Map = MapExtent;
-    return std::tuple{Field{"least_inclination_deg", "deg", "where it begins", &Map::least_inclination_deg},
-                      Field{"least_anteversion_deg", "deg", "where it begins", &Map::least_anteversion_deg},
-                      Field{"width_deg", "deg", "of both angles", &Map::width_deg},
-                      Field{"squares", "1", "that make it up", &Map::squares}};
-  }
+  static constexpr std::tuple fields{
+      Field{"least_inclination_deg", "deg", "where it begins", &MapExtent::least_inclination_deg},
+      Field{"least_anteversion_deg", "deg", "where it begins", &MapExtent::least_anteversion_deg},
+      Field{"width_deg", "deg", "of both angles", &MapExtent::width_deg},
+      Field{"squares", "1", "that make it up", &MapExtent::squares}};
 };
 
 /// Square degrees (change/orientation.hpp).
@@ -76,14 +69,11 @@ struct MapAreas {
   double unknown = 0.0;
   double open = 0.0;
 
-  static constexpr auto fields() {
-    using Areas = MapAreas;
-    return std::tuple{
-        Field{"free", "deg^2", "every required motion is", &Areas::free},
-        Field{"blocked", "deg^2", "one of them is", &Areas::blocked},
-        Field{"unknown", "deg^2", "the ball's mesh ends under the socket on the way", &Areas::unknown},
-        Field{"open", "deg^2", "undecided at the resolution", &Areas::open}};
-  }
+  static constexpr std::tuple fields{
+      Field{"free", "deg^2", "every required motion is", &MapAreas::free},
+      Field{"blocked", "deg^2", "one of them is", &MapAreas::blocked},
+      Field{"unknown", "deg^2", "the ball's mesh ends under the socket on the way", &MapAreas::unknown},
+      Field{"open", "deg^2", "undecided at the resolution", &MapAreas::open}};
 };
 
 struct OrientAnswer {
@@ -93,16 +83,13 @@ struct OrientAnswer {
   std::vector<std::string> legs;
   std::vector<OrientationCell> cells;  // the squares of the map; a leg of theirs is a place in `legs`
 
-  static constexpr auto fields() {
-    using Found = OrientAnswer;
-    return std::tuple{
-        Field{"as_scanned", "",
-              "the socket as it is, its angles in the pelvis; it turns about the centre of rotation",
-              &Found::as_scanned},
-        Field{"map", "", "which angles were looked at", &Found::map},
-        Field{"area_deg2", "deg^2", "of the map in each state", &Found::area_deg2},
-        Field{"legs", "", "parts of the required paths, in words", &Found::legs}};
-  }
+  static constexpr std::tuple fields{
+      Field{"as_scanned", "",
+            "the socket as it is, its angles in the pelvis; it turns about the centre of rotation",
+            &OrientAnswer::as_scanned},
+      Field{"map", "", "which angles were looked at", &OrientAnswer::map},
+      Field{"area_deg2", "deg^2", "of the map in each state", &OrientAnswer::area_deg2},
+      Field{"legs", "", "parts of the required paths, in words", &OrientAnswer::legs}};
 };
 
 /// std::runtime_error, one line, if the socket has no rim to measure its orientation by;

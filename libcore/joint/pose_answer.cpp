@@ -8,7 +8,6 @@
 
 #include "files/stopwatch.hpp"
 #include "hip/close_zones.hpp"
-#include "joint/certificate.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge {
@@ -23,42 +22,50 @@ std::vector<double> gaps_of(SurfaceTable& table, const SessionPart& part, const 
   return gap;
 }
 
-SurfaceAnswer surface_answer(const SessionJoint& joint, const Pose& pose, Surface surface,
-                             std::vector<double> gap, double cartilage_mm) {
+Impinged impinged_up_to(const SessionJoint& joint, double level, const PosedGaps& posed) {
+  const GapSummary summary = summarise(posed.gap, posed.area, level);
+  Impinged found{summary.impinged, summary.impinged_area, {}};
+  if (!joint.dial) return found;
+  found.clock_zones.emplace();
+  if (found.vertices > 0) found.clock_zones = close_zones(*joint.dial, posed, level);
+  return found;
+}
+
+SurfaceAnswer surface_answer(const SessionJoint& joint, const GapsAnswer& found, Surface surface,
+                             std::vector<double> gap) {
   SurfaceAnswer answer;
   answer.gap = std::move(gap);
-  std::vector<Vec3> places = posed_places(joint, pose, surface);
+  std::vector<Vec3> places = posed_places(joint, found.pose, surface);
   const auto& map = joint.joint.cartilage;
-  answer.touching = map ? 1.0 : cartilage_mm;
   answer.against_cartilage = map ? shares_of_cartilage(answer.gap, places, *map) : answer.gap;
-  if (answer.gap.empty()) return answer;
   const std::vector<double>& area = joint.part(surface).area;
-  answer.all = summarise(answer.gap, area, 0.0);
-  answer.bone = summarise(answer.against_cartilage, area, 0.0);
-  answer.cartilage = summarise(answer.against_cartilage, area, answer.touching);
-  answer.histogram = gap_histogram(answer.gap, area);
-  if (!joint.dial || answer.bone.impinged + answer.cartilage.impinged == 0) return answer;
-  places = mapped(joint.axes, places);
+  if (!answer.gap.empty()) {
+    answer.all = summarise(answer.gap, area, 0.0);
+    answer.histogram = gap_histogram(answer.gap, area);
+  }
+  if (joint.dial) places = mapped(joint.axes, places);
   const PosedGaps posed{places, answer.against_cartilage, area};
-  answer.bone_zones = close_zones(*joint.dial, posed, 0.0);
-  answer.cartilage_zones = close_zones(*joint.dial, posed, answer.touching);
+  answer.bone = impinged_up_to(joint, 0.0, posed);
+  answer.cartilage = impinged_up_to(joint, found.touching, posed);
   return answer;
 }
 
 // Of two gaps of one size that of the ball.
-std::optional<SmallestOfPose> smallest_of(const SessionJoint& joint, const PoseAnswer& found) {
+std::optional<SmallestOfPose> smallest_of(const SessionJoint& joint, const GapsAnswer& found) {
   const GapSummary& ball = found.ball.all;
   const GapSummary& socket = found.socket.all;
   if (!ball.smallest && !socket.smallest) return std::nullopt;
-  SmallestOfPose smallest;
   const bool on_ball = ball.smallest && (!socket.smallest || ball.smallest_gap <= socket.smallest_gap);
-  smallest.surface = on_ball ? Surface::ball : Surface::socket;
-  smallest.vertex = on_ball ? *ball.smallest : *socket.smallest;
-  smallest.gap_mm = on_ball ? ball.smallest_gap : socket.smallest_gap;
-  smallest.place = on_ball ? to_socket(found.pose, joint.joint.ball.mesh.vertices[smallest.vertex])
-                           : joint.joint.socket.mesh.vertices[smallest.vertex];
-  if (joint.dial) smallest.hours = joint.dial->hours(joint.axes * smallest.place);
-  return smallest;
+  const std::size_t vertex = on_ball ? *ball.smallest : *socket.smallest;
+  const Vec3 place = on_ball ? to_socket(found.pose, joint.joint.ball.mesh.vertices[vertex])
+                             : joint.joint.socket.mesh.vertices[vertex];
+  return SmallestOfPose{.gap_mm = on_ball ? ball.smallest_gap : socket.smallest_gap,
+                        .error_bound_mm = {},
+                        .euclidean_distance_mm = {},
+                        .surface = on_ball ? Surface::ball : Surface::socket,
+                        .vertex = vertex,
+                        .position = place + joint.joint.centre,
+                        .hours = joint.hours(place)};
 }
 
 double median(std::vector<double>& bounds) {
@@ -69,10 +76,6 @@ double median(std::vector<double>& bounds) {
 }
 
 }  // namespace
-
-Pose pose_of(const SessionJoint& joint, const Motion& motion, const Vec3& translation) {
-  return {joint.axes.transpose() * joint_rotation(motion, joint.side) * joint.axes, translation};
-}
 
 std::vector<Vec3> posed_places(const SessionJoint& joint, const Pose& pose, Surface of) {
   if (of == Surface::socket) return joint.joint.socket.mesh.vertices;
@@ -88,17 +91,20 @@ std::vector<Vec3> places_in_other(const SessionJoint& joint, const Pose& pose, S
   return places;
 }
 
-PoseAnswer answer_of_gaps(const SessionJoint& joint, const Pose& pose, std::vector<double> ball_gap,
+GapsAnswer answer_of_gaps(const SessionJoint& joint, const Pose& pose, std::vector<double> ball_gap,
                           std::vector<double> socket_gap, double cartilage_mm) {
-  PoseAnswer found;
+  GapsAnswer found;
   found.pose = pose;
-  found.ball = surface_answer(joint, pose, Surface::ball, std::move(ball_gap), cartilage_mm);
-  found.socket = surface_answer(joint, pose, Surface::socket, std::move(socket_gap), cartilage_mm);
-  found.smallest = smallest_of(joint, found);
+  found.by_map = joint.joint.cartilage.has_value();
+  found.touching = found.by_map ? 1.0 : cartilage_mm;
+  found.dial = joint.dial;
+  found.ball = surface_answer(joint, found, Surface::ball, std::move(ball_gap));
+  found.socket = surface_answer(joint, found, Surface::socket, std::move(socket_gap));
+  found.smallest_gap = smallest_of(joint, found);
   return found;
 }
 
-PoseAnswer answer_pose(Session& session, const PoseRequest& request) {
+GapsAnswer answer_pose(Session& session, const PoseRequest& request) {
   shift_ball(session, request.translation);
   const SessionJoint& joint = *session.joint;
   const Pose pose = pose_of(joint, request.motion, request.translation);
@@ -107,12 +113,12 @@ PoseAnswer answer_pose(Session& session, const PoseRequest& request) {
   std::vector<double> ball = gaps_of(*session.tables.socket, joint.ball, turn, Surface::ball);
   std::vector<double> socket = gaps_of(*session.tables.ball, joint.socket, turn, Surface::socket);
   const double scan_ms = watch.lap_ms();
-  PoseAnswer found = answer_of_gaps(joint, pose, std::move(ball), std::move(socket), request.cartilage_mm);
+  GapsAnswer found = answer_of_gaps(joint, pose, std::move(ball), std::move(socket), request.cartilage_mm);
   found.scan_ms = scan_ms;
   return found;
 }
 
-void bound_gaps(Session& session, PoseAnswer& answer) {
+void bound_gaps(Session& session, GapsAnswer& answer) {
   bound_tables(session);
   for (const Surface of : kSurfaces) {
     const auto& bounds = of == Surface::ball ? session.tables.socket_bounds : session.tables.ball_bounds;
@@ -123,7 +129,7 @@ void bound_gaps(Session& session, PoseAnswer& answer) {
   }
 }
 
-PoseVerdicts verdicts_of(SessionJoint& joint, const PoseAnswer& answer) {
+PoseVerdicts verdicts_of(SessionJoint& joint, const GapsAnswer& answer) {
   PoseVerdicts found;
   std::vector<double> bounds;
   for (const Surface of : kSurfaces) {
@@ -149,7 +155,7 @@ PoseVerdicts verdicts_of(SessionJoint& joint, const PoseAnswer& answer) {
 }
 
 PoseVerdicts answer_verdicts(Session& session, const PoseRequest& request) {
-  PoseAnswer answer = answer_pose(session, request);
+  GapsAnswer answer = answer_pose(session, request);
   bound_gaps(session, answer);
   return verdicts_of(*session.joint, answer);
 }

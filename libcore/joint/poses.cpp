@@ -3,26 +3,22 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <tuple>
 
 #include "files/file_error.hpp"
 #include "hip/pose_travel.hpp"
 #include "joint/document.hpp"
-#include "joint/pose_answer.hpp"
 
 namespace impinge {
-namespace {
-
-bool asks(const PosesRequest& request, PosesOutput output) {
-  return std::find(request.outputs.begin(), request.outputs.end(), output) != request.outputs.end();
-}
-
-}  // namespace
-
 void PosesRequest::check() const {
   if (poses.has_value() == path.has_value())
     throw std::invalid_argument(
         "poses: they are asked for by a file, or by a path of angles; give one of poses and path");
   if (path) in_field("path", [&] { parse_pose_grid(*path); });
+}
+
+bool PosesRequest::asks(PosesOutput output) const {
+  return std::find(outputs.begin(), outputs.end(), output) != outputs.end();
 }
 
 PoseList list_of(const PosesRequest& request, const SessionJoint& joint) {
@@ -59,36 +55,50 @@ std::string doubt_of(const PosesRequest& request, const SessionJoint& joint, con
   return doubt.empty() ? doubt : (request.path ? "path" : request.poses->string()) + ": " + doubt;
 }
 
-SeriesOutputs outputs_of(const PosesRequest& request) {
-  return {.touch = asks(request, PosesOutput::touch),
-          .smallest_gap = asks(request, PosesOutput::gap),
-          .areas = asks(request, PosesOutput::areas),
-          .cartilage_mm = request.cartilage_mm};
+Pose pose_about(const Vec3& centre, const Eigen::Matrix3d& rotation, const Vec3& translation) {
+  return {rotation, rotation * centre + translation - centre};
 }
 
-PoseRow row_of(const SessionJoint& joint, const PoseList& list, std::size_t row, const SeriesAnswer& answer) {
-  PoseRow made{.pose = row + 1,
-               .touch = list.tracked(row) ? "" : "untracked",
-               .certified = {},
-               .smallest_gap_mm = {},
-               .surface = {},
-               .vertex = {},
-               .clock = {},
-               .bound_mm = {}};
-  if (answer.touch) {
-    const BodyPairs::Verdict& touch = *answer.touch;
-    if (touch.contact != Contact::unknown) made.touch = word_of(touch.contact);
-    made.certified =
-        touch.contact == Contact::no || (touch.contact == Contact::yes && touch.rule != ContactRule::radii);
+PoseSeries::PoseSeries(const SessionJoint& joint, const PosesRequest& asked)
+    : joint_(joint),
+      asked_(asked),
+      meshes_{main_surface(joint.joint.ball.mesh, joint.joint.ball.parts),
+              main_surface(joint.joint.socket.mesh, joint.joint.socket.parts)},
+      culled_(meshes_) {
+  const auto& [ball, socket] = std::tie(joint.joint.ball, joint.joint.socket);
+  if (asked.asks(PosesOutput::touch))
+    bodies_.emplace(meshes_, bone_parts({ball.mesh, ball.parts}, {socket.mesh, socket.parts}));
+  if (!asked.asks(PosesOutput::areas)) return;
+  scans_.emplace_back(meshes_.ball, meshes_.socket, facing_layer(Surface::socket));
+  scans_.emplace_back(meshes_.socket, meshes_.ball, facing_layer(Surface::ball));
+}
+
+PoseSeries::Scan::Scan(const TriangleMesh& scanned, const TriangleMesh& facing, Layer layer)
+    : cells(exact_cells(facing, layer)),
+      vertices(packed_vertices<float>(scanned.vertices)),
+      areas(vertex_areas(scanned)) {}
+
+void PoseSeries::add_areas(const Pose& pose, Surface of, double& bone, double& cartilage) const {
+  const Scan& scan = scans_[of == Surface::ball ? 0 : 1];
+  std::vector<float> gap(scan.vertices.size());
+  scan_gaps(scan.cells, scan.vertices, pose, of, gap);
+  const auto touching = static_cast<float>(asked_.cartilage_mm);
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    cartilage += gap[i] <= touching ? scan.areas[i] : 0.0;
+    bone += gap[i] <= 0.0F ? scan.areas[i] : 0.0;
   }
-  if (!answer.smallest) return made;
-  const PosedGap& smallest = *answer.smallest;
-  made.smallest_gap_mm = smallest.least.gap_mm;
-  made.surface = smallest.least.at.scanned;
-  made.vertex = smallest.least.at.vertex;
-  if (joint.dial) made.clock = clock_text(joint.dial->hours(joint.axes * smallest.place));
-  made.bound_mm = smallest.bound_mm;
-  return made;
+}
+
+PoseRow PoseSeries::answer(const Pose& pose) const {
+  PoseRow row;
+  if (bodies_) row.verdict = bodies_->verdict(pose);
+  if (!scans_.empty()) {
+    PoseAreas& areas = row.areas.emplace();
+    add_areas(pose, Surface::ball, areas.bone_ball_mm2, areas.cartilage_ball_mm2);
+    add_areas(pose, Surface::socket, areas.bone_socket_mm2, areas.cartilage_socket_mm2);
+  }
+  if (asked_.asks(PosesOutput::gap)) row.smallest = smallest_gap(joint_, culled_, meshes_, pose);
+  return row;
 }
 
 }  // namespace impinge

@@ -11,10 +11,12 @@
 #include <tuple>
 #include <vector>
 
+#include "contact/culled_joint.hpp"
 #include "files/fields.hpp"
+#include "gap/simd/exact_cells.hpp"
+#include "gap/simd/joint_scan.hpp"
 #include "joint/pose_file.hpp"
-#include "joint/pose_series.hpp"
-#include "joint/session.hpp"
+#include "joint/touch.hpp"
 
 namespace impinge {
 
@@ -24,68 +26,70 @@ template <>
 inline constexpr std::array<std::string_view, 3> words_of<PosesOutput>{"touch", "gap", "areas"};
 
 struct PosesRequest {
-  std::optional<std::filesystem::path> poses;
-  std::optional<std::string> path;
+  std::optional<std::filesystem::path> poses{};
+  std::optional<std::string> path{};
   std::vector<PosesOutput> outputs{PosesOutput::touch, PosesOutput::gap};
   double cartilage_mm = 4.0;
 
-  static constexpr auto fields() {
-    using Asked = PosesRequest;
-    return std::tuple{
-        Field{"poses", "", "a CSV of angles, quaternions or matrices, or a motion of OpenSim (.mot, .sto)",
-              &Asked::poses},
-        Field{"path", "", "all combinations of angles and shifts in mm, as flexion=0..120/1,tx=-2..2/1",
-              &Asked::path},
-        Field{"outputs", "", "touch, the smallest gap, impinged areas [touch,gap]", &Asked::outputs},
-        Field{"cartilage_mm", "mm", "thickness of both layers together, for areas", &Asked::cartilage_mm,
-              kNotNegative}};
-  }
+  static constexpr std::tuple fields{
+      Field{"poses", "", "a CSV of angles, quaternions or matrices, or a motion of OpenSim (.mot, .sto)",
+            &PosesRequest::poses},
+      Field{"path", "", "all combinations of angles and shifts in mm, as flexion=0..120/1,tx=-2..2/1",
+            &PosesRequest::path},
+      Field{"outputs", "", "touch, the smallest gap, impinged areas [touch,gap]", &PosesRequest::outputs},
+      Field{"cartilage_mm", "mm", "thickness of both layers together, for areas", &PosesRequest::cartilage_mm,
+            kNotNegative}};
   /// std::invalid_argument where what is asked does not go together.
   void check() const;
+  bool asks(PosesOutput output) const;
 };
 
-/// A row of poses.csv; the columns that were given follow.
-struct PoseRow {
-  std::size_t pose = 0;
-  std::string_view touch;
-  std::optional<bool> certified;
-  std::optional<double> smallest_gap_mm;
-  std::optional<Surface> surface;
-  std::optional<std::size_t> vertex;
-  std::optional<std::string> clock;
-  std::optional<double> bound_mm;
-
-  static constexpr auto fields() {
-    using Row = PoseRow;
-    return std::tuple{
-        Field{"pose", "1", "from 1", &Row::pose},
-        Field{"touch", "", "yes, no, untracked where the row has no numbers; empty where it is not known",
-              &Row::touch},
-        Field{"certified", "", "is that decided exactly?", &Row::certified},
-        Field{"smallest_gap_mm", "mm", "along a ray, of a vertex", &Row::smallest_gap_mm},
-        Field{"surface", "", "whose vertex it is", &Row::surface},
-        Field{"vertex", "1", "its place in the mesh", &Row::vertex},
-        Field{"clock", "", "on the rim's clock", &Row::clock},
-        Field{"bound_mm", "mm", "proven bound on the error of that gap", &Row::bound_mm}};
-  }
-};
-
-/// Further columns where areas are asked for.
+/// Impinged areas, by the vertices' gaps in float: further columns where they are asked for.
 struct PoseAreas {
   double bone_ball_mm2 = 0.0;
   double bone_socket_mm2 = 0.0;
   double cartilage_ball_mm2 = 0.0;
   double cartilage_socket_mm2 = 0.0;
 
-  static constexpr auto fields() {
-    using Row = PoseAreas;
-    return std::tuple{
-        Field{"bone_ball_mm2", "mm^2", "of the ball with a gap of 0 or less", &Row::bone_ball_mm2},
-        Field{"bone_socket_mm2", "mm^2", "of the socket with a gap of 0 or less", &Row::bone_socket_mm2},
-        Field{"cartilage_ball_mm2", "mm^2", "of the ball where the layers touch", &Row::cartilage_ball_mm2},
-        Field{"cartilage_socket_mm2", "mm^2", "of the socket where the layers touch",
-              &Row::cartilage_socket_mm2}};
+  static constexpr std::tuple fields{
+      Field{"bone_ball_mm2", "mm^2", "of the ball with a gap of 0 or less", &PoseAreas::bone_ball_mm2},
+      Field{"bone_socket_mm2", "mm^2", "of the socket with a gap of 0 or less", &PoseAreas::bone_socket_mm2},
+      Field{"cartilage_ball_mm2", "mm^2", "of the ball where the layers touch",
+            &PoseAreas::cartilage_ball_mm2},
+      Field{"cartilage_socket_mm2", "mm^2", "of the socket where the layers touch",
+            &PoseAreas::cartilage_socket_mm2}};
+};
+
+/// A row of poses.csv; the areas and the angles that were given follow.
+struct PoseRow {
+  std::size_t pose = 0;
+  bool tracked = true;
+  std::optional<BodyPairs::Verdict> verdict{};  // exact; none if not asked for
+  std::optional<SmallestOfPose> smallest{};
+  std::optional<PoseAreas> areas{};  // none if not asked for
+
+  std::string_view touch() const {
+    if (!verdict) return tracked ? "" : "untracked";
+    return verdict->contact == Contact::unknown ? "" : word_of(verdict->contact);
   }
+  std::optional<bool> certified() const {
+    if (!verdict) return std::nullopt;
+    return verdict->contact == Contact::no ||
+           (verdict->contact == Contact::yes && verdict->rule != ContactRule::radii);
+  }
+
+  static constexpr std::tuple fields{
+      Field{"pose", "1", "from 1", &PoseRow::pose},
+      Field{"touch", "", "yes, no, untracked where the row has no numbers; empty where it is not known",
+            &PoseRow::touch},
+      Field{"certified", "", "is that decided exactly?", &PoseRow::certified},
+      Field{"smallest_gap_mm", "mm", "along a ray, of a vertex",
+            via(&PoseRow::smallest, &SmallestOfPose::gap_mm)},
+      Field{"surface", "", "whose vertex it is", via(&PoseRow::smallest, &SmallestOfPose::surface)},
+      Field{"vertex", "1", "its place in the mesh", via(&PoseRow::smallest, &SmallestOfPose::vertex)},
+      Field{"clock", "", "on the rim's clock", via(&PoseRow::smallest, &SmallestOfPose::clock)},
+      Field{"bound_mm", "mm", "proven bound on the error of that gap",
+            via(&PoseRow::smallest, &SmallestOfPose::error_bound_mm)}};
 };
 
 /// The pose with the smallest gap.
@@ -96,14 +100,11 @@ struct SmallestOfPoses {
   std::size_t vertex = 0;
   std::optional<std::string> clock;
 
-  static constexpr auto fields() {
-    using Gap = SmallestOfPoses;
-    return std::tuple{Field{"pose", "1", "from 1", &Gap::pose},
-                      Field{"gap_mm", "mm", "along a ray", &Gap::gap_mm},
-                      Field{"surface", "", "whose vertex it is", &Gap::surface},
-                      Field{"vertex", "1", "its place in the mesh", &Gap::vertex},
-                      Field{"clock", "", "on the rim's clock", &Gap::clock}};
-  }
+  static constexpr std::tuple fields{Field{"pose", "1", "from 1", &SmallestOfPoses::pose},
+                                     Field{"gap_mm", "mm", "along a ray", &SmallestOfPoses::gap_mm},
+                                     Field{"surface", "", "whose vertex it is", &SmallestOfPoses::surface},
+                                     Field{"vertex", "1", "its place in the mesh", &SmallestOfPoses::vertex},
+                                     Field{"clock", "", "on the rim's clock", &SmallestOfPoses::clock}};
 };
 
 struct PosesAnswer {
@@ -113,16 +114,13 @@ struct PosesAnswer {
   std::optional<SmallestOfPoses> smallest_gap;
   std::optional<std::string> doubt;
 
-  static constexpr auto fields() {
-    using Found = PosesAnswer;
-    return std::tuple{
-        Field{"number_of_poses", "1", "rows of poses.csv", &Found::number_of_poses},
-        Field{"untracked", "1", "of these without numbers", &Found::untracked},
-        Field{"touching", "1", "of these in contact; null if not asked for", &Found::touching},
-        Field{"smallest_gap", "", "of all poses; null if there is none or it was not asked for",
-              &Found::smallest_gap},
-        Field{"doubt", "", "what looks wrong with the poses; null if nothing does", &Found::doubt}};
-  }
+  static constexpr std::tuple fields{
+      Field{"number_of_poses", "1", "rows of poses.csv", &PosesAnswer::number_of_poses},
+      Field{"untracked", "1", "of these without numbers", &PosesAnswer::untracked},
+      Field{"touching", "1", "of these in contact; null if not asked for", &PosesAnswer::touching},
+      Field{"smallest_gap", "", "of all poses; null if there is none or it was not asked for",
+            &PosesAnswer::smallest_gap},
+      Field{"doubt", "", "what looks wrong with the poses; null if nothing does", &PosesAnswer::doubt}};
 };
 
 /// Reads or makes the poses. FileError or std::invalid_argument, one line.
@@ -134,9 +132,41 @@ Pose pose_in(const SessionJoint& joint, const PoseList& list, std::size_t row);
 /// One line where poses are in another unit or frame; empty where they look right.
 std::string doubt_of(const PosesRequest& request, const SessionJoint& joint, const PoseList& list);
 
-SeriesOutputs outputs_of(const PosesRequest& request);
+/// The pose in the centre frame for a motion x' = rotation x + translation of the ball in the input frame
+/// (mm), which also has `centre`.
+Pose pose_about(const Vec3& centre, const Eigen::Matrix3d& rotation, const Vec3& translation);
 
-/// The row of a pose of the list.
-PoseRow row_of(const SessionJoint& joint, const PoseList& list, std::size_t row, const SeriesAnswer& answer);
+/// What many poses are asked, with all that is made but once. Of a pose:
+/// touch exactly (limits/body_pairs.hpp), the smallest gap between the main surfaces without looking at most
+/// vertices (contact/culled_joint.hpp), areas of all gaps by the kernels for the faces
+/// (gap/simd/exact_cells.hpp).
+class PoseSeries {
+ public:
+  /// std::invalid_argument for lengths that CulledScan refuses. `joint` is kept.
+  PoseSeries(const SessionJoint& joint, const PosesRequest& asked);
+  PoseSeries(const PoseSeries&) = delete;
+  PoseSeries& operator=(const PoseSeries&) = delete;
+
+  /// Without its number. Several threads may ask at the same time.
+  PoseRow answer(const Pose& pose) const;
+
+ private:
+  /// One surface's vertices, and the faces that they meet.
+  struct Scan {
+    Scan(const TriangleMesh& scanned, const TriangleMesh& facing, Layer layer);
+
+    ExactCells cells;  // of the other surface
+    PackedVertices<float> vertices;
+    std::vector<double> areas;  // mm^2
+  };
+  void add_areas(const Pose& pose, Surface of, double& bone, double& cartilage) const;
+
+  const SessionJoint& joint_;
+  PosesRequest asked_;
+  BallSocketPair meshes_;            // the main surfaces
+  std::optional<BodyPairs> bodies_;  // if touch is asked for
+  CulledJoint culled_;
+  std::vector<Scan> scans_;  // of ball and socket, if areas are
+};
 
 }  // namespace impinge

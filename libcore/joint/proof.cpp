@@ -62,7 +62,7 @@ ClearanceProof answer_proof(const SessionJoint& joint, const Pose& pose) {
 }
 
 ClearanceProof answer_proof(Session& session, const LimitRequest& request) {
-  const double limit = answer_limits(session, request).contact.told.limit.low_deg;
+  const double limit = answer_limits(session, request).front().told.limit.low_deg;
   if (!(limit > kProofEndsBefore[0]))
     throw std::runtime_error(formatted(
         "the motion ends within %g degrees of its start; begin at another pose", kProofEndsBefore[0]));

@@ -13,6 +13,7 @@
 
 #include "files/fields.hpp"
 #include "joint/limits.hpp"
+#include "joint/touch.hpp"
 #include "limits/clearance_proof.hpp"
 
 namespace impinge {
@@ -33,14 +34,12 @@ struct CertifyRequest {
   std::optional<Motion> pose;
   std::optional<std::string> motion;
 
-  static constexpr auto fields() {
-    return std::tuple{
-        Field{"pose", "", "that is proven, or that the motion begins at [the pose of the scan]",
-              &CertifyRequest::pose},
-        Field{"motion", "",
-              "prove the way from the pose to the limit of this motion, as flexion [none: the pose alone]",
-              &CertifyRequest::motion}};
-  }
+  static constexpr std::tuple fields{
+      Field{"pose", "", "that is proven, or that the motion begins at [the pose of the scan]",
+            &CertifyRequest::pose},
+      Field{"motion", "",
+            "prove the way from the pose to the limit of this motion, as flexion [none: the pose alone]",
+            &CertifyRequest::motion}};
   void check() const;
 };
 
@@ -51,17 +50,15 @@ struct CertifyAnswer {
   double rounded_deg = 0.0;
   std::string text;  // of the certificate
 
-  static constexpr auto fields() {
-    using Found = CertifyAnswer;
-    return std::tuple{
-        Field{"says", "",
-              "clear: the surfaces do not meet; crossing: they do; inside: one body is inside the other",
-              &Found::says},
-        Field{"to_deg", "deg", "how far along the motion that is proven; null for a pose", &Found::to_deg},
-        Field{"closed", "", "have all bodies no opening? What is open has no inside", &Found::closed},
-        Field{"rounded_deg", "deg", "by how much the rotations differ from those asked for, at most",
-              &Found::rounded_deg}};
-  }
+  static constexpr std::tuple fields{
+      Field{"says", "",
+            "clear: the surfaces do not meet; crossing: they do; inside: one body is inside the other",
+            &CertifyAnswer::says},
+      Field{"to_deg", "deg", "how far along the motion that is proven; null for a pose",
+            &CertifyAnswer::to_deg},
+      Field{"closed", "", "have all bodies no opening? What is open has no inside", &CertifyAnswer::closed},
+      Field{"rounded_deg", "deg", "by how much the rotations differ from those asked for, at most",
+            &CertifyAnswer::rounded_deg}};
 };
 
 /// std::runtime_error, one line, where nothing can be proven; std::invalid_argument where landmarks or an

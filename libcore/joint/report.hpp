@@ -26,16 +26,14 @@ struct ReportRequest {
   double width = 0.2;
   double cartilage_mm = 4.0;
 
-  static constexpr auto fields() {
-    using Asked = ReportRequest;
-    return std::tuple{
-        Field{"pose", "", "whose gaps are shown, as flexion=90,internal_rotation=10 [the pose of the scan]",
-              &Asked::pose},
-        Field{"without", "", "what is left out; `volume` takes longest [nothing]", &Asked::without},
-        Field{"width", "1", "of the volume: share of all rotations that may stay undecided, up to 1",
-              &Asked::width, Range{.least = 0.0, .most = 1.0, .above = true}},
-        Field{"cartilage_mm", "mm", "thickness of both layers together", &Asked::cartilage_mm, kNotNegative}};
-  }
+  static constexpr std::tuple fields{
+      Field{"pose", "", "whose gaps are shown, as flexion=90,internal_rotation=10 [the pose of the scan]",
+            &ReportRequest::pose},
+      Field{"without", "", "what is left out; `volume` takes longest [nothing]", &ReportRequest::without},
+      Field{"width", "1", "of the volume: share of all rotations that may stay undecided, up to 1",
+            &ReportRequest::width, Range{.least = 0.0, .most = 1.0, .above = true}},
+      Field{"cartilage_mm", "mm", "thickness of both layers together", &ReportRequest::cartilage_mm,
+            kNotNegative}};
   bool has(ReportPart part) const;
   /// Gaps up to this are asked about, too.
   double threshold_mm() const { return has(ReportPart::limits) ? cartilage_mm : 0.0; }
@@ -49,14 +47,11 @@ struct ReportAnswer {
   std::optional<VolumeAnswer> volume;
   std::optional<MeasureAnswer> measures;
 
-  static constexpr auto fields() {
-    using Report = ReportAnswer;
-    return std::tuple{
-        Field{"gaps", "", "as `impinge gaps` has it, without bounds and distances", &Report::gaps},
-        Field{"limits", "", "as `impinge limits` has it; null if left out", &Report::limits},
-        Field{"volume", "", "as `impinge volume` has it; null if left out", &Report::volume},
-        Field{"measures", "", "as `impinge measure` has it; null if left out", &Report::measures}};
-  }
+  static constexpr std::tuple fields{
+      Field{"gaps", "", "as `impinge gaps` has it, without bounds and distances", &ReportAnswer::gaps},
+      Field{"limits", "", "as `impinge limits` has it; null if left out", &ReportAnswer::limits},
+      Field{"volume", "", "as `impinge volume` has it; null if left out", &ReportAnswer::volume},
+      Field{"measures", "", "as `impinge measure` has it; null if left out", &ReportAnswer::measures}};
 };
 
 /// std::invalid_argument without a side; else what a question of it throws. `how`: of the volume.

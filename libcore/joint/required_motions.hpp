@@ -3,7 +3,9 @@
 // its socket (joint/orient.hpp).
 #pragma once
 
+#include <algorithm>
 #include <span>
+#include <stdexcept>
 #include <string_view>
 
 #include "hip/motion.hpp"
@@ -20,6 +22,11 @@ inline constexpr std::string_view kRequireText =
     "scan, one angle after the other, flexion, abduction, rotation; more than one may be given";
 
 /// std::invalid_argument, one line, where there is none, or one that moves nothing.
-void check_required(std::span<const Motion> require);
+inline void check_required(std::span<const Motion> require) {
+  const auto still = [](const Motion& motion) { return is_rest(motion); };
+  if (require.empty() || std::any_of(require.begin(), require.end(), still))
+    throw std::invalid_argument(
+        "require: a required motion turns something; give one, as flexion=90,internal_rotation=30");
+}
 
 }  // namespace impinge

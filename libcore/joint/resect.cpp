@@ -214,15 +214,13 @@ void require_no_part_in_the_way(const Joint& joint, const RequiredLeg& leg, cons
                            ", and bone beside the joint is not cut; require less");
 }
 
-LegLimit limit_of(const TurnLimit& limit) { return {limit.state, limit.low_deg, limit.high_deg}; }
-
 // How far a leg goes with the cut bone.
-LegLimit reached(const SessionJoint& joint, const TurnLimits& cut, Surface of, const RequiredLeg& leg) {
+TurnLimit reached(const SessionJoint& joint, const TurnLimits& cut, Surface of, const RequiredLeg& leg) {
   const double farthest =
       std::min(leg.largest_deg + kBeyondLeg, largest_growth(leg.start, motion_name(leg.growing)));
   const TurnLimit after = cut.first_contact(leg.turn, farthest);
   if (!joint.joint.ball.taken) require_whole_ball(leg, after);  // else the rest of it is a part
-  if (after.low_deg >= leg.largest_deg) return limit_of(after);
+  if (after.low_deg >= leg.largest_deg) return after;
   require_no_part_in_the_way(joint.joint, leg, after);
   throw std::runtime_error("the cut " + std::string(name(of)) + " is not proven to reach " + describe(leg) +
                            ", but " + rounded_down(after.low_deg, 3) + " degrees; give a larger clearance");
@@ -236,17 +234,8 @@ void nest(CutSize& inner, CutSize& outer) {
   }
 }
 
-TwoEnds ends_of(const Ends& ends) { return {ends.low, ends.high}; }
-
-void add_extent(const CutSize& size, CutExtent& found) {
-  if (std::isfinite(size.volume_mm3.high)) found.volume_mm3 = ends_of(size.volume_mm3);
-  found.area_mm2 = ends_of(size.area_mm2);
-  found.depth_mm = ends_of(size.depth_mm);
-}
-
 void add_least(const SessionJoint& joint, LeastCut least, ResectAnswer& found) {
-  add_extent(least, found.least.emplace());
-  found.least->cells = least.cells.size();
+  found.least = LeastExtent{least, least.cells.size()};
   found.swept = std::move(least.cells);
   for (LeastCut::Cell& cell : found.swept) {
     for (Vec3& x : cell.corners) x = from_joint_frame(joint, x);
@@ -254,9 +243,9 @@ void add_least(const SessionJoint& joint, LeastCut least, ResectAnswer& found) {
 }
 
 void add_cut(const SessionJoint& joint, Resection cut, ResectAnswer& found) {
-  add_extent(cut, found);
+  static_cast<CutSize&>(found) = cut;
   found.surface = cut.of;
-  if (!found.volume_mm3) found.volume_why = kNoVolume;
+  if (!known_ends(found.volume_mm3)) found.volume_why = kNoVolume;
   if (!cut.empty()) found.deepest = from_joint_frame(joint, cut.before.vertices[cut.deepest]);
   found.mesh_volume_mm3 = cut.cut_mm3;
   found.mesh = std::move(cut.cut);
@@ -301,7 +290,7 @@ ResectAnswer answer(Session& session, const ResectRequest& request) {
   const TurnLimits after(of_ball ? BallSocketPair{cut.cut, socket} : BallSocketPair{ball, cut.cut}, beside);
   for (const RequiredLeg& leg : legs)
     found.legs.push_back({describe(leg), leg.growing, leg.start, leg.largest_deg,
-                          limit_of(before.first_contact(leg.turn, leg.largest_deg)),
+                          before.first_contact(leg.turn, leg.largest_deg),
                           reached(joint, after, cut.of, leg)});
   if (request.least) {
     LeastCut least = least_cut(ball, SweptBone(socket, legs, request.clearance_mm), kLeastQuestion);

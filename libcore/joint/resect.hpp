@@ -57,56 +57,48 @@ struct ResectRequest {
   /// std::invalid_argument for what cannot be required, or does not go together.
   void check() const;
 
-  static constexpr auto fields() {
-    using Asked = ResectRequest;
-    return std::tuple{
-        Field{"require", "deg", kRequireText, &Asked::require},
-        Field{"clearance_mm", "mm", "radial gap to keep along the whole motion", &Asked::clearance_mm,
-              kPositive},
-        Field{"cut", "", "which bone is cut: the ball, or the socket at its rim", &Asked::cut},
-        Field{"rim_mm", "mm", "how far inside its rim a cut of the socket may come; 5 where it is not given",
-              &Asked::rim_mm, kPositive},
-        Field{"neck_mm", "mm",
-              "least uncut width about the axis of the neck, of a cut of the ball; 70 % of the neck's width "
-              "where it is not given",
-              &Asked::neck_mm, kPositive},
-        Field{
-            "least", "",
+  static constexpr std::tuple fields{
+      Field{"require", "deg", kRequireText, &ResectRequest::require},
+      Field{"clearance_mm", "mm", "radial gap to keep along the whole motion", &ResectRequest::clearance_mm,
+            kPositive},
+      Field{"cut", "", "which bone is cut: the ball, or the socket at its rim", &ResectRequest::cut},
+      Field{"rim_mm", "mm", "how far inside its rim a cut of the socket may come; 5 where it is not given",
+            &ResectRequest::rim_mm, kPositive},
+      Field{"neck_mm", "mm",
+            "least uncut width about the axis of the neck, of a cut of the ball; 70 % of the neck's width "
+            "where it is not given",
+            &ResectRequest::neck_mm, kPositive},
+      Field{"least", "",
             "also the smallest cut of the ball that may leave an undercut; the socket must be a closed mesh",
-            &Asked::least}};
-  }
+            &ResectRequest::least}};
 };
 
 /// Proven ends of a number: it is no less than the first and no more than the second.
 using TwoEnds = std::array<double, 2>;
 
+inline TwoEnds ends_of(const Ends& ends) { return {ends.low, ends.high}; }
+inline std::optional<TwoEnds> known_ends(const Ends& ends) {
+  return ends.high < kInfinity ? std::optional(ends_of(ends)) : std::nullopt;
+}
+
 /// How much has to go.
-struct CutExtent {
-  std::optional<TwoEnds> volume_mm3;
-  TwoEnds area_mm2{};
-  TwoEnds depth_mm{};
+template <>
+inline constexpr std::tuple fields_of<CutSize>{
+    Field{"volume_mm3", "mm^3", "of bone that has to go, at least and at most",
+          via(&CutSize::volume_mm3, &known_ends)},
+    Field{"area_mm2", "mm^2", "of the bone's surface that has to go, at least and at most",
+          via(&CutSize::area_mm2, &ends_of)},
+    Field{"depth_mm", "mm",
+          "the largest along a ray from the centre, at least and at most: to where the other bone is "
+          "clear of it, or a closed mesh ends",
+          via(&CutSize::depth_mm, &ends_of)}};
 
-  static constexpr auto fields() {
-    using Cut = CutExtent;
-    return std::tuple{
-        Field{"volume_mm3", "mm^3", "of bone that has to go, at least and at most", &Cut::volume_mm3},
-        Field{"area_mm2", "mm^2", "of the bone's surface that has to go, at least and at most",
-              &Cut::area_mm2},
-        Field{"depth_mm", "mm",
-              "the largest along a ray from the centre, at least and at most: to where the other bone is "
-              "clear of it, or a closed mesh ends",
-              &Cut::depth_mm}};
-  }
-};
-
-struct LeastExtent : CutExtent {
+struct LeastExtent : CutSize {
   std::size_t cells = 0;
 
-  static constexpr auto fields() {
-    return std::tuple_cat(
-        CutExtent::fields(),
-        std::tuple{Field{"cells", "1", "parts of the ball's surface in swept.csv", &LeastExtent::cells}});
-  }
+  static constexpr auto fields = std::tuple_cat(
+      fields_of<CutSize>,
+      std::tuple{Field{"cells", "1", "parts of the ball's surface in swept.csv", &LeastExtent::cells}});
 };
 
 /// Width of the round bar inside the neck, mm.
@@ -115,26 +107,18 @@ struct NeckBar {
   double before = 0.0;
   double after = 0.0;
 
-  static constexpr auto fields() {
-    return std::tuple{Field{"least_mm", "mm", "that was to be left", &NeckBar::least},
-                      Field{"before_mm", "mm", "in the uncut ball, where it is cut", &NeckBar::before},
-                      Field{"after_mm", "mm", "in the cut ball", &NeckBar::after}};
-  }
+  static constexpr std::tuple fields{
+      Field{"least_mm", "mm", "that was to be left", &NeckBar::least},
+      Field{"before_mm", "mm", "in the uncut ball, where it is cut", &NeckBar::before},
+      Field{"after_mm", "mm", "in the cut ball", &NeckBar::after}};
 };
 
-/// Of first contact along a leg (limits/turn_limit.hpp).
-struct LegLimit {
-  LimitState state = LimitState::unknown;
-  double low_deg = 0.0;
-  double high_deg = 0.0;
-
-  static constexpr auto fields() {
-    return std::tuple{
-        Field{"state", "", "how the search for first contact ended", &LegLimit::state},
-        Field{"low_deg", "deg", "no contact from the start of the leg to here", &LegLimit::low_deg},
-        Field{"high_deg", "deg", "where limited, contact here", &LegLimit::high_deg}};
-  }
-};
+/// Of first contact along a leg.
+template <>
+inline constexpr std::tuple fields_of<TurnLimit>{
+    Field{"state", "", "how the search for first contact ended", &TurnLimit::state},
+    Field{"low_deg", "deg", "no contact from the start of the leg to here", &TurnLimit::low_deg},
+    Field{"high_deg", "deg", "where limited, contact here", &TurnLimit::high_deg}};
 
 /// A leg of a required path, before the cut and after.
 struct ResectLeg {
@@ -142,24 +126,21 @@ struct ResectLeg {
   std::string_view motion;
   Motion start;
   double required_deg = 0.0;
-  LegLimit before;
-  LegLimit after;
+  TurnLimit before;
+  TurnLimit after;
 
-  static constexpr auto fields() {
-    using Leg = ResectLeg;
-    return std::tuple{
-        Field{"words", "", "as internal_rotation from 0 to 30 degrees at flexion 90", &Leg::words},
-        Field{"motion", "", "the angle that grows", &Leg::motion},
-        Field{"start", "deg", "where the leg begins", &Leg::start},
-        Field{"required_deg", "deg", "of growth", &Leg::required_deg},
-        Field{"before", "", "first contact before the cut, up to what is required", &Leg::before},
-        Field{"after", "", "and after it, up to 10 degrees more", &Leg::after}};
-  }
+  static constexpr std::tuple fields{
+      Field{"words", "", "as internal_rotation from 0 to 30 degrees at flexion 90", &ResectLeg::words},
+      Field{"motion", "", "the angle that grows", &ResectLeg::motion},
+      Field{"start", "deg", "where the leg begins", &ResectLeg::start},
+      Field{"required_deg", "deg", "of growth", &ResectLeg::required_deg},
+      Field{"before", "", "first contact before the cut, up to what is required", &ResectLeg::before},
+      Field{"after", "", "and after it, up to 10 degrees more", &ResectLeg::after}};
 };
 
 inline constexpr double kBeyondLeg = 10.0;  // degrees that are looked at beyond what is required
 
-struct ResectAnswer : CutExtent {
+struct ResectAnswer : CutSize {
   Surface surface = Surface::ball;
   std::optional<std::string_view> volume_why;
   std::optional<Vec3> deepest;
@@ -172,37 +153,33 @@ struct ResectAnswer : CutExtent {
   std::vector<double> depth;          // of each vertex, along its ray
   std::vector<LeastCut::Cell> swept;  // what may have to go in the least cut of all
 
-  static constexpr auto fields() {
-    using Cut = ResectAnswer;
-    return std::tuple_cat(
-        std::tuple{Field{"surface", "",
-                         "which bone the least radial cut about the centre of rotation is of. It leaves no "
-                         "undercut, and narrows the bone behind the rim all the way out, where a cut that "
-                         "follows the rim could take less; of the socket it takes all bone nearer to the "
-                         "centre than the ball reaches, with the clearance",
-                         &Cut::surface}},
-        CutExtent::fields(),
-        std::tuple{
-            Field{"volume_why", "", "why there is no volume", &Cut::volume_why},
-            Field{"deepest", "mm",
-                  "where the cut is deepest, x, y, z in the frame of the meshes; null: "
-                  "nothing has to go",
-                  &Cut::deepest},
-            Field{
-                "mesh_volume_mm3", "mm^3",
+  static constexpr auto fields = std::tuple_cat(
+      std::tuple{Field{"surface", "",
+                       "which bone the least radial cut about the centre of rotation is of. It leaves no "
+                       "undercut, and narrows the bone behind the rim all the way out, where a cut that "
+                       "follows the rim could take less; of the socket it takes all bone nearer to the "
+                       "centre than the ball reaches, with the clearance",
+                       &ResectAnswer::surface}},
+      fields_of<CutSize>,
+      std::tuple{
+          Field{"volume_why", "", "why there is no volume", &ResectAnswer::volume_why},
+          Field{"deepest", "mm",
+                "where the cut is deepest, x, y, z in the frame of the meshes; null: "
+                "nothing has to go",
+                &ResectAnswer::deepest},
+          Field{"mesh_volume_mm3", "mm^3",
                 "that the cut mesh takes away; null where it is open, as a socket is of which all of a wall "
                 "goes",
-                &Cut::mesh_volume_mm3},
-            Field{"least", "",
-                  "of the least cut of all, if it was asked for: what the bone of the socket sweeps through "
-                  "within the clearance; bone beyond stays, over an undercut",
-                  &Cut::least},
-            Field{"neck", "",
-                  "widest round bar about the axis of the neck that stays whole; null without a neck, or "
-                  "without a cut beside it",
-                  &Cut::neck},
-            Field{"legs", "", "of the required paths; none touches after the cut", &Cut::legs}});
-  }
+                &ResectAnswer::mesh_volume_mm3},
+          Field{"least", "",
+                "of the least cut of all, if it was asked for: what the bone of the socket sweeps through "
+                "within the clearance; bone beyond stays, over an undercut",
+                &ResectAnswer::least},
+          Field{"neck", "",
+                "widest round bar about the axis of the neck that stays whole; null without a neck, or "
+                "without a cut beside it",
+                &ResectAnswer::neck},
+          Field{"legs", "", "of the required paths; none touches after the cut", &ResectAnswer::legs}});
 };
 
 /// std::runtime_error, one line with the place in the frame of the meshes, if the cut is refused;

@@ -7,7 +7,7 @@
 
 #include "files/stopwatch.hpp"
 #include "hip/hip.hpp"
-#include "joint/scan_contact.hpp"
+#include "joint/touch.hpp"
 #include "mesh/surface_vertices.hpp"
 #include "table/probe_directions.hpp"
 #include "table/surface_index.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One joint with its tables, bounds and limits. Questions are answered as plain structs: pose_answer.hpp,
-// measurement.hpp, limits.hpp, joint_files.hpp. Angles in degrees, lengths in mm, times in ms. A function
+// One joint with its tables, bounds and limits. Questions are answered as plain structs: touch.hpp,
+// gaps.hpp, limits.hpp, joint_files.hpp. Angles in degrees, lengths in mm, times in ms. A function
 // that fails throws a std::exception whose what() is one line for the reader; the session can still be used.
 #pragma once
 
@@ -56,6 +56,10 @@ struct SessionJoint {
   /// What of both is bone beside the main surfaces.
   BoneParts beside() const {
     return bone_parts({joint.ball.mesh, joint.ball.parts}, {seen, joint.socket.parts});
+  }
+  /// On the dial, of a place in the centre frame of the socket; none without a dial.
+  std::optional<double> hours(const Vec3& place) const {
+    return dial ? std::optional(dial->hours(axes * place)) : std::nullopt;
   }
   /// The bodies of the joint about the centre of the ball; made when first asked for.
   const BodyPairs& bodies();

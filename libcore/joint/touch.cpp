@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/touch.hpp"
 
-#include "joint/posed_gap.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "files/formatted.hpp"
+#include "gap/measured_gap.hpp"
 
 namespace impinge {
 namespace {
@@ -12,16 +16,17 @@ std::optional<std::string> part_or_null(const std::vector<MeshPart>& parts, std:
   return name.empty() ? std::nullopt : std::optional(std::move(name));
 }
 
-SmallestGapDocument smallest_of(const SessionJoint& joint, const PosedGap& found) {
-  SmallestGapDocument gap{.gap_mm = found.least.gap_mm,
-                          .error_bound_mm = found.bound_mm,
-                          .euclidean_distance_mm = {},
-                          .surface = found.least.at.scanned,
-                          .vertex = found.least.at.vertex,
-                          .position = found.place + joint.joint.centre,
-                          .clock = {}};
-  if (joint.dial) gap.clock = clock_text(joint.dial->hours(joint.axes * found.place));
-  return gap;
+template <class Pair>
+std::string both_of(const Pair& bones) {
+  return bones.ball_part.value_or("ball") + " and " + bones.socket_part.value_or("socket");
+}
+
+std::string place_of(const SmallestOfPose& gap) {
+  return gap.hours ? " at " + clock_text(*gap.hours) + " o'clock" : "";
+}
+
+void warn(const std::string& line, SessionJoint& joint) {
+  if (!line.empty()) joint.joint.warnings.push_back(line);
 }
 
 }  // namespace
@@ -43,11 +48,31 @@ std::optional<NearestPartDocument> nearest_part(SessionJoint& joint, const Pose&
                              part_or_null(joint.joint.socket.parts, nearest->pair.socket)};
 }
 
+std::optional<SmallestOfPose> smallest_gap(const SessionJoint& joint, const CulledJoint& culled,
+                                           const BallSocketPair& meshes, const Pose& pose) {
+  const std::optional<LeastGap> least = culled.least_gap(pose);
+  if (!least) return std::nullopt;
+  const Surface scanned = least->at.scanned;
+  const Vec3& x = mesh_of(meshes, scanned).vertices[least->at.vertex];
+  const CertifiedGap ends = measured_gap(scanned, culled.faces(other(scanned)), to_other(scanned, pose, x));
+  const Vec3 place = scanned == Surface::ball ? to_socket(pose, x) : x;
+  return SmallestOfPose{.gap_mm = least->gap_mm,
+                        .error_bound_mm = std::max(ends.high - least->gap_mm, least->gap_mm - ends.low),
+                        .euclidean_distance_mm = {},
+                        .surface = scanned,
+                        .vertex = least->at.vertex,
+                        .position = place + joint.joint.centre,
+                        .hours = joint.hours(place)};
+}
+
+Pose pose_of(const SessionJoint& joint, const Motion& motion, const Vec3& translation) {
+  return {joint.axes.transpose() * joint_rotation(motion, joint.side) * joint.axes, translation};
+}
+
 std::string describe(const ContactDocument& contact) {
   const std::string line = "contact             ";
   if (contact.state == Contact::no) return line + "none\n";
-  const std::string both =
-      contact.ball_part.value_or("ball") + " and " + contact.socket_part.value_or("socket");
+  const std::string both = both_of(contact);
   if (contact.state == Contact::unknown) {
     return line + "not known: the surfaces of " + both +
            " do not meet, and whether one is inside the other hangs on an opening of a mesh; close it, or "
@@ -68,17 +93,79 @@ std::string describe(const ContactDocument& contact) {
          "the whole bone would decide\n";
 }
 
-TouchAnswer answer(Session& session, const TouchRequest& request) {
-  SessionJoint& joint = *session.joint;
-  const Pose pose = pose_of(joint, request.pose);
-  TouchAnswer found{.contact = contact_of(joint.joint, joint.bodies().verdict(pose)),
-                    .smallest_gap = {},
-                    .nearest_part = {}};
+std::string describe(const std::optional<SmallestOfPose>& gap) {
+  if (!gap) return "smallest gap        none: the surfaces do not face each other\n";
+  std::string text = formatted("smallest gap        %.3f mm at %s vertex %zu", gap->gap_mm,
+                               name(gap->surface).data(), gap->vertex);
+  if (gap->hours) text += ", " + clock_text(*gap->hours) + " o'clock";
+  if (gap->error_bound_mm && std::isfinite(*gap->error_bound_mm))
+    text += " (error of this gap at most " + rounded_up(*gap->error_bound_mm, 3) + " mm)";
+  if (gap->euclidean_distance_mm) {
+    text += "\nEuclidean distance  " + rounded_down(gap->euclidean_distance_mm->front(), 3) + " to " +
+            rounded_up(gap->euclidean_distance_mm->back(), 3) + " mm there";
+  }
+  return text + "\n";
+}
+
+std::string describe(const std::optional<NearestPartDocument>& part) {
+  if (!part) return "";
+  const std::string bodies = both_of(*part);
+  if (part->touch) return "parts               " + bodies + " touch\n";
+  return "parts               " + bodies + " are nearest, " + rounded_down(part->distance_mm, 3) +
+         " mm apart\n";
+}
+
+TouchAnswer touch_in(SessionJoint& joint, const Pose& pose) {
   const BallSocketPair meshes{joint.main(Surface::ball), joint.main(Surface::socket)};
-  if (const auto smallest = posed_gap(CulledJoint(meshes), meshes, pose))
-    found.smallest_gap = smallest_of(joint, *smallest);
-  found.nearest_part = nearest_part(joint, pose);
+  return {.contact = contact_of(joint.joint, joint.bodies().verdict(pose)),
+          .smallest_gap = smallest_gap(joint, CulledJoint(meshes), meshes, pose),
+          .nearest_part = {}};
+}
+
+TouchAnswer answer(Session& session, const TouchRequest& request) {
+  const Pose pose = pose_of(*session.joint, request.pose);
+  TouchAnswer found = touch_in(*session.joint, pose);
+  found.nearest_part = nearest_part(*session.joint, pose);
   return found;
+}
+
+std::string describe_contact(const TouchAnswer& found, const std::string& pose,
+                             const ScanContactOptions& options) {
+  if (found.contact.state != Contact::yes) return {};
+  const auto& gap = found.smallest_gap;
+  const bool overlap = gap && gap->gap_mm < 0.0;
+  const std::string depth =
+      overlap ? ", " + rounded_up(-gap->gap_mm, 3) + " mm deep along a ray" + place_of(*gap) : "";
+  const std::string on_top =
+      overlap && !options.overlap.empty()
+          ? "; " + options.overlap + " with a little more than that depth asks for what comes on top"
+          : "";
+  return both_of(found.contact) + " touch " + pose + depth +
+         ": what begins there is blocked; check the centre, the frame and the segmentation of both (a head "
+         "and a liner of one nominal radius need their play)" +
+         on_top;
+}
+
+std::string describe_threshold(const TouchAnswer& found, const std::string& pose,
+                               const ScanContactOptions& options) {
+  const auto& gap = found.smallest_gap;
+  if (found.contact.state == Contact::yes || !gap || gap->gap_mm > options.threshold_mm) return {};
+  return "the smallest gap " + pose + " is " + rounded_down(gap->gap_mm, 3) + " mm" + place_of(*gap) +
+         formatted(", not above the %g mm of ", options.threshold_mm) + options.threshold +
+         ": what asks for a gap of that size is blocked from the start; give less";
+}
+
+void warn_of_contact(SessionJoint& joint, const ScanContactOptions& options) {
+  const auto& frames = joint.joint.frames;
+  const bool turned = frames && frames->femur;
+  const std::string start = turned ? "in the neutral pose of the landmarks" : "as scanned";
+  const TouchAnswer found = touch_in(joint, Pose());
+  warn(describe_contact(found, start, options), joint);
+  if (options.threshold_mm > 0.0) warn(describe_threshold(found, start, options), joint);
+  if (!turned) return;
+  Pose scanned;
+  scanned.rotation = frames->femur->transpose() * frames->pelvis;
+  warn(describe_contact(touch_in(joint, scanned), "as scanned", options), joint);
 }
 
 }  // namespace impinge

@@ -2,15 +2,16 @@
 // Do the bones touch in a pose, and where is the smallest gap?
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <tuple>
-#include <vector>
 
+#include "contact/culled_joint.hpp"
 #include "files/fields.hpp"
 #include "hip/motion.hpp"
-#include "joint/pose_answer.hpp"
+#include "joint/session.hpp"
 #include "limits/body_pairs.hpp"
 
 namespace impinge {
@@ -22,42 +23,40 @@ struct ContactDocument {
   std::optional<std::string> ball_part;
   std::optional<std::string> socket_part;
 
-  static constexpr auto fields() {
-    using Found = ContactDocument;
-    return std::tuple{
-        Field{"state", "", "no, yes, or unknown where only an opening of a mesh could tell", &Found::state},
-        Field{"by", "", "by what it was told: surfaces meet, one bone is inside the other, or radii overlap",
-              &Found::by},
-        Field{"ball_part", "", "part of the ball's bone that touches; null: its main surface, or no contact",
-              &Found::ball_part},
-        Field{"socket_part", "", "the same of the socket's", &Found::socket_part}};
-  }
+  static constexpr std::tuple fields{
+      Field{"state", "", "no, yes, or unknown where only an opening of a mesh could tell",
+            &ContactDocument::state},
+      Field{"by", "", "by what it was told: surfaces meet, one bone is inside the other, or radii overlap",
+            &ContactDocument::by},
+      Field{"ball_part", "", "part of the ball's bone that touches; null: its main surface, or no contact",
+            &ContactDocument::ball_part},
+      Field{"socket_part", "", "the same of the socket's", &ContactDocument::socket_part}};
 };
 
-struct SmallestGapDocument {
+/// The vertex of a main surface with the smallest gap of a pose.
+struct SmallestOfPose {
   double gap_mm = 0.0;
-  std::optional<double> error_bound_mm;
-  std::optional<std::vector<double>> euclidean_distance_mm;
+  std::optional<double> error_bound_mm;  // infinite where nothing is proven
+  std::optional<std::array<double, 2>> euclidean_distance_mm;
   Surface surface = Surface::ball;
   std::size_t vertex = 0;
   Vec3 position = Vec3::Zero();
-  std::optional<std::string> clock;
+  std::optional<double> hours;  // on the dial
 
-  static constexpr auto fields() {
-    using Gap = SmallestGapDocument;
-    return std::tuple{
-        Field{"gap_mm", "mm", "along the ray from the centre; below 0 the main surfaces overlap",
-              &Gap::gap_mm},
-        Field{"error_bound_mm", "mm", "proven bound on its error; null where there is none",
-              &Gap::error_bound_mm},
-        Field{"euclidean_distance_mm", "mm",
-              "proven ends of the vertex' distance from the other surface; null if not asked for",
-              &Gap::euclidean_distance_mm},
-        Field{"surface", "", "whose vertex it is", &Gap::surface},
-        Field{"vertex", "1", "its place in the mesh", &Gap::vertex},
-        Field{"position", "mm", "x, y, z in the pose, frame of the meshes", &Gap::position},
-        Field{"clock", "", "on the rim's clock; null where the socket has none", &Gap::clock}};
-  }
+  std::optional<std::string> clock() const { return clock_text(hours); }
+
+  static constexpr std::tuple fields{
+      Field{"gap_mm", "mm", "along the ray from the centre; below 0 the main surfaces overlap",
+            &SmallestOfPose::gap_mm},
+      Field{"error_bound_mm", "mm", "proven bound on its error; null where there is none",
+            &SmallestOfPose::error_bound_mm},
+      Field{"euclidean_distance_mm", "mm",
+            "proven ends of the vertex' distance from the other surface; null if not asked for",
+            &SmallestOfPose::euclidean_distance_mm},
+      Field{"surface", "", "whose vertex it is", &SmallestOfPose::surface},
+      Field{"vertex", "1", "its place in the mesh", &SmallestOfPose::vertex},
+      Field{"position", "mm", "x, y, z in the pose, frame of the meshes", &SmallestOfPose::position},
+      Field{"clock", "", "on the rim's clock; null where the socket has none", &SmallestOfPose::clock}};
 };
 
 /// Two bones of which one at least is a part.
@@ -67,50 +66,76 @@ struct NearestPartDocument {
   std::optional<std::string> ball_part;
   std::optional<std::string> socket_part;
 
-  static constexpr auto fields() {
-    using Part = NearestPartDocument;
-    return std::tuple{
-        Field{"distance_mm", "mm", "of their surfaces; 0 in contact", &Part::distance_mm},
-        Field{"touch", "", "do they?", &Part::touch},
-        Field{"ball_part", "", "part of the ball's bone; null: its main surface", &Part::ball_part},
-        Field{"socket_part", "", "part of the socket's bone; null: its main surface", &Part::socket_part}};
-  }
+  static constexpr std::tuple fields{
+      Field{"distance_mm", "mm", "of their surfaces; 0 in contact", &NearestPartDocument::distance_mm},
+      Field{"touch", "", "do they?", &NearestPartDocument::touch},
+      Field{"ball_part", "", "part of the ball's bone; null: its main surface",
+            &NearestPartDocument::ball_part},
+      Field{"socket_part", "", "part of the socket's bone; null: its main surface",
+            &NearestPartDocument::socket_part}};
 };
 
 struct TouchRequest {
   Motion pose;
 
-  static constexpr auto fields() {
-    return std::tuple{Field{"pose", "",
-                            "of the ball, from the pose of the scan, as flexion=90,internal_rotation=10",
-                            &TouchRequest::pose}};
-  }
+  static constexpr std::tuple fields{
+      Field{"pose", "", "of the ball, from the pose of the scan, as flexion=90,internal_rotation=10",
+            &TouchRequest::pose}};
 };
 
 struct TouchAnswer {
   ContactDocument contact;
-  std::optional<SmallestGapDocument> smallest_gap;
+  std::optional<SmallestOfPose> smallest_gap;
   std::optional<NearestPartDocument> nearest_part;
 
-  static constexpr auto fields() {
-    using Found = TouchAnswer;
-    return std::tuple{
-        Field{"contact", "", "of all bones, decided exactly", &Found::contact},
-        Field{"smallest_gap", "", "of a vertex of the main surfaces; null where they do not face each other",
-              &Found::smallest_gap},
-        Field{"nearest_part", "",
-              "the bones nearest to each other of which one is a part; null without parts",
-              &Found::nearest_part}};
-  }
+  static constexpr std::tuple fields{
+      Field{"contact", "", "of all bones, decided exactly", &TouchAnswer::contact},
+      Field{"smallest_gap", "", "of a vertex of the main surfaces; null where they do not face each other",
+            &TouchAnswer::smallest_gap},
+      Field{"nearest_part", "", "the bones nearest to each other of which one is a part; null without parts",
+            &TouchAnswer::nearest_part}};
 };
 
 TouchAnswer answer(Session& session, const TouchRequest& request);
+/// The same without the nearest part, in any pose of the ball in the socket.
+TouchAnswer touch_in(SessionJoint& joint, const Pose& pose);
 
+/// The pose that a motion names, of the ball in the centre frame of the socket.
+Pose pose_of(const SessionJoint& joint, const Motion& motion, const Vec3& translation = Vec3::Zero());
 /// A verdict with the names of the joint's parts.
 ContactDocument contact_of(const Joint& joint, const BodyPairs::Verdict& verdict);
 std::optional<NearestPartDocument> nearest_part(SessionJoint& joint, const Pose& pose);
+/// Found without looking at most vertices and faces; none where the surfaces do not face each other. `culled`
+/// is of these meshes.
+std::optional<SmallestOfPose> smallest_gap(const SessionJoint& joint, const CulledJoint& culled,
+                                           const BallSocketPair& meshes, const Pose& pose);
 
-/// The line for a terminal, such as "contact             yes: the surfaces of ball and socket meet".
+/// Lines for a terminal; none where there is nothing to say.
+std::string describe(const std::optional<SmallestOfPose>& gap);
+std::string describe(const std::optional<NearestPartDocument>& part);
+/// Such as "contact             yes: the surfaces of ball and socket meet".
 std::string describe(const ContactDocument& contact);
+
+/// How a reader gives what the lines below tell him to; empty: he cannot.
+struct ScanContactOptions {
+  std::string overlap{};      // an overlap that is no contact (JointInput::overlap_mm)
+  double threshold_mm = 0.0;  // gaps of this size or less are asked about, too; 0: none are
+  std::string threshold{};    // the option that gave it
+};
+
+/// Contact in the pose of the scan, where no bones are in one another: every motion that begins there is
+/// blocked, and says nothing else. One line for the reader: how deep, where, and what to do; empty where
+/// nothing touches. `pose` names it, as "as scanned".
+std::string describe_contact(const TouchAnswer& found, const std::string& pose,
+                             const ScanContactOptions& options);
+
+/// One line where the gap is not above the threshold although nothing touches, so that each answer about a
+/// gap of that size is "blocked"; else empty.
+std::string describe_threshold(const TouchAnswer& found, const std::string& pose,
+                               const ScanContactOptions& options);
+
+/// Adds these lines to the warnings of the joint for the pose that motions begin at, that of the scan; where
+/// landmarks of the femur turned the ball to neutral, for both.
+void warn_of_contact(SessionJoint& joint, const ScanContactOptions& options = {});
 
 }  // namespace impinge

@@ -68,18 +68,7 @@ VolumeAnswer answer(Session& session, const VolumeRequest& request, VolumeSettin
   const SessionJoint& joint = *session.joint;
   const CellTest test = cell_test(joint, joint.joint.socket.mesh, {request.gap_mm, request.centre_within_mm});
   how.width = request.width;
-  MotionVolume volume(test, how);
-  const VolumeShares& shares = volume.shares();
-  VolumeAnswer found{.share_low = shares.low(),
-                     .share_high = shares.high(),
-                     .reachable_low = shares.reached(),
-                     .reachable_high = shares.within_reach(),
-                     .neutral_blocked = shares.reachable_high == 0.0,
-                     .unknown = shares.unknown,
-                     .open = shares.open,
-                     .cells_asked = shares.cells,
-                     .motions = {},
-                     .volume = std::move(volume)};
+  VolumeAnswer found{.motions = {}, .volume = MotionVolume(test, how)};
   if (!joint.side) return found;
   for (const NamedMotion& motion : named_motions())
     found.motions.push_back(motion_in(found.volume, joint, test, motion));

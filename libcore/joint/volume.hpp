@@ -25,16 +25,13 @@ struct VolumeRequest {
   static constexpr const char* kThresholdOption = "--gap";
   double threshold_mm() const { return gap_mm; }
 
-  static constexpr auto fields() {
-    using Asked = VolumeRequest;
-    return std::tuple{
-        Field{"width", "1", "share of all rotations that may stay undecided, above 0 and up to 1",
-              &Asked::width, Range{.least = 0.0, .most = 1.0, .above = true}},
-        Field{"gap_mm", "mm", "gaps up to this count as contact, e.g. the cartilage's thickness",
-              &Asked::gap_mm, kNotNegative},
-        Field{"centre_within_mm", "mm", "the answer holds for every common centre within this distance",
-              &Asked::centre_within_mm, kNotNegative}};
-  }
+  static constexpr std::tuple fields{
+      Field{"width", "1", "share of all rotations that may stay undecided, above 0 and up to 1",
+            &VolumeRequest::width, Range{.least = 0.0, .most = 1.0, .above = true}},
+      Field{"gap_mm", "mm", "gaps up to this count as contact, e.g. the cartilage's thickness",
+            &VolumeRequest::gap_mm, kNotNegative},
+      Field{"centre_within_mm", "mm", "the answer holds for every common centre within this distance",
+            &VolumeRequest::centre_within_mm, kNotNegative}};
 };
 
 /// What stops a motion, as far as the cells know.
@@ -47,49 +44,40 @@ struct VolumeMotion {
   std::optional<std::string> ball_part;
   std::optional<std::string> socket_part;
 
-  static constexpr auto fields() {
-    using Stop = VolumeMotion;
-    return std::tuple{
-        Field{"motion", "", "its name (hip/named_motion.hpp)", &Stop::motion},
-        Field{"low_deg", "deg", "every rotation from its start to here is free", &Stop::low_deg},
-        Field{"high_deg", "deg", "here one is blocked; null where none is on the way", &Stop::high_deg},
-        Field{"clock", "", "on the dial, of the socket's face that may be touched first", &Stop::clock},
-        Field{"ball_direction", "1",
-              "unit vector to the ball's face that may be touched first, at rest: right, anterior, superior",
-              &Stop::ball_direction},
-        Field{"ball_part", "", "part of the ball that may be touched first; null: the ball itself",
-              &Stop::ball_part},
-        Field{"socket_part", "", "the same of the socket", &Stop::socket_part}};
-  }
+  static constexpr std::tuple fields{
+      Field{"motion", "", "its name (hip/named_motion.hpp)", &VolumeMotion::motion},
+      Field{"low_deg", "deg", "every rotation from its start to here is free", &VolumeMotion::low_deg},
+      Field{"high_deg", "deg", "here one is blocked; null where none is on the way", &VolumeMotion::high_deg},
+      Field{"clock", "", "on the dial, of the socket's face that may be touched first", &VolumeMotion::clock},
+      Field{"ball_direction", "1",
+            "unit vector to the ball's face that may be touched first, at rest: right, anterior, superior",
+            &VolumeMotion::ball_direction},
+      Field{"ball_part", "", "part of the ball that may be touched first; null: the ball itself",
+            &VolumeMotion::ball_part},
+      Field{"socket_part", "", "the same of the socket", &VolumeMotion::socket_part}};
 };
 
 struct VolumeAnswer {
-  double share_low = 0.0;
-  double share_high = 0.0;
-  double reachable_low = 0.0;
-  double reachable_high = 0.0;
-  bool neutral_blocked = false;
-  double unknown = 0.0;
-  double open = 0.0;
-  std::size_t cells_asked = 0;
   std::vector<VolumeMotion> motions;
   MotionVolume volume;
 
-  static constexpr auto fields() {
-    using Found = VolumeAnswer;
-    return std::tuple{
-        Field{"share_low", "1", "of all rotations that is free, at least", &Found::share_low},
-        Field{"share_high", "1", "at most", &Found::share_high},
-        Field{"reachable_low", "1",
-              "share that is reached from the pose of the scan without contact, at least",
-              &Found::reachable_low},
-        Field{"reachable_high", "1", "at most", &Found::reachable_high},
-        Field{"neutral_blocked", "", "is the pose of the scan?", &Found::neutral_blocked},
-        Field{"unknown", "1", "share of which nothing is known: the ball's mesh ends there", &Found::unknown},
-        Field{"open", "1", "share that is undecided", &Found::open},
-        Field{"cells_asked", "1", "cells of rotations that were decided", &Found::cells_asked},
-        Field{"motions", "", "each named motion; none without a side", &Found::motions}};
-  }
+  const VolumeShares& shares() const { return volume.shares(); }
+  bool neutral_blocked() const { return shares().reachable_high == 0.0; }
+
+  static constexpr std::tuple fields{
+      Field{"share_low", "1", "of all rotations that is free, at least",
+            via(&VolumeAnswer::shares, &VolumeShares::low)},
+      Field{"share_high", "1", "at most", via(&VolumeAnswer::shares, &VolumeShares::high)},
+      Field{"reachable_low", "1", "share that is reached from the pose of the scan without contact, at least",
+            via(&VolumeAnswer::shares, &VolumeShares::reached)},
+      Field{"reachable_high", "1", "at most", via(&VolumeAnswer::shares, &VolumeShares::within_reach)},
+      Field{"neutral_blocked", "", "is the pose of the scan?", &VolumeAnswer::neutral_blocked},
+      Field{"unknown", "1", "share of which nothing is known: the ball's mesh ends there",
+            via(&VolumeAnswer::shares, &VolumeShares::unknown)},
+      Field{"open", "1", "share that is undecided", via(&VolumeAnswer::shares, &VolumeShares::open)},
+      Field{"cells_asked", "1", "cells of rotations that were decided",
+            via(&VolumeAnswer::shares, &VolumeShares::cells)},
+      Field{"motions", "", "each named motion; none without a side", &VolumeAnswer::motions}};
 };
 
 /// A cell of `volume`, as volume.csv has it.
@@ -105,22 +93,20 @@ struct VolumeRow {
   std::string_view state;
   std::optional<bool> reachable;
 
-  static constexpr auto fields() {
-    using Row = VolumeRow;
-    return std::tuple{
-        Field{"level", "1", "how often a cube was halved (rotations/rotation_cells.hpp)", &Row::level},
-        Field{"cell", "1", "its number among the cells of that level", &Row::cell},
-        Field{"w", "1", "of the quaternion of its middle, the largest coordinate 1: a rotation of the ball",
-              &Row::w},
-        Field{"x", "1", "likewise, about the axis to the right", &Row::x},
-        Field{"y", "1", "anterior", &Row::y},
-        Field{"z", "1", "superior", &Row::z},
-        Field{"radius_deg", "deg", "no rotation of the cell is farther from its middle", &Row::radius_deg},
-        Field{"share", "1", "of all rotations", &Row::share},
-        Field{"state", "", "free, blocked, unknown, or open: undecided", &Row::state},
-        Field{"reachable", "", "without contact from the pose of the scan; empty where it is not known",
-              &Row::reachable}};
-  }
+  static constexpr std::tuple fields{
+      Field{"level", "1", "how often a cube was halved (rotations/rotation_cells.hpp)", &VolumeRow::level},
+      Field{"cell", "1", "its number among the cells of that level", &VolumeRow::cell},
+      Field{"w", "1", "of the quaternion of its middle, the largest coordinate 1: a rotation of the ball",
+            &VolumeRow::w},
+      Field{"x", "1", "likewise, about the axis to the right", &VolumeRow::x},
+      Field{"y", "1", "anterior", &VolumeRow::y},
+      Field{"z", "1", "superior", &VolumeRow::z},
+      Field{"radius_deg", "deg", "no rotation of the cell is farther from its middle",
+            &VolumeRow::radius_deg},
+      Field{"share", "1", "of all rotations", &VolumeRow::share},
+      Field{"state", "", "free, blocked, unknown, or open: undecided", &VolumeRow::state},
+      Field{"reachable", "", "without contact from the pose of the scan; empty where it is not known",
+            &VolumeRow::reachable}};
 };
 VolumeRow volume_row(const VolumeCell& at);
 

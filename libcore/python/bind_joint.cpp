@@ -2,9 +2,11 @@
 // The class Joint, and the surfaces of one.
 #include <pybind11/stl.h>
 
+#include "joint/joint_document.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/joint_class.hpp"
+#include "python/question_method.hpp"
 
 namespace impinge::python {
 namespace {
@@ -42,26 +44,6 @@ void bind_surface(py::module_& module) {
           "Shape (n,), mm^2 of the surface that belong to each vertex.");
 }
 
-// With the names of summary.json.
-py::object landmarks(const PoseJoint& joint) {
-  const auto& frames = joint.joint().joint.frames;
-  if (!frames) return py::none();
-  const auto angle = [&](double Motion::*of) {
-    return frames->scanned ? std::optional((*frames->scanned).*of) : std::nullopt;
-  };
-  py::dict found;
-  found["pelvic_tilt_deg"] = frames->pelvic_tilt_deg;
-  found["scanned_flexion_deg"] = angle(&Motion::flexion);
-  found["scanned_abduction_deg"] = angle(&Motion::abduction);
-  found["scanned_internal_rotation_deg"] = angle(&Motion::internal_rotation);
-  return found;
-}
-
-py::object side_text(const PoseJoint& joint) {
-  if (!joint.joint().side) return py::none();
-  return py::str(*joint.joint().side == Side::left ? "left" : "right");
-}
-
 std::string described(const PoseJoint& joint) {
   return "<impinge.Joint of " + std::to_string(joint.joint().mesh(Surface::ball).vertices.size()) + " and " +
          std::to_string(joint.joint().mesh(Surface::socket).vertices.size()) + " vertices>";
@@ -81,10 +63,12 @@ void bind_facts(JointClass& joint) {
             return SurfaceView{self, Surface::socket};
           },
           "Its Surface.")
-      .def_property_readonly("side", &side_text, "Of the body: left, right, or None.")
+      .def_property_readonly(
+          "side", [](const PoseJoint& self) { return object_of(json_of(self.joint().side)); },
+          "Of the body: left, right, or None.")
       .def_property_readonly("axes", &PoseJoint::axes, "Where +x, +y and +z of the meshes point, as RAS.")
       .def_property_readonly(
-          "landmarks", &landmarks,
+          "landmarks", [](const PoseJoint& self) { return object_of(json_of(self.joint().joint.frames)); },
           "A dict of degrees: pelvic_tilt_deg and the angles of the femur in the scan; None "
           "without landmarks.")
       .def_property_readonly(
@@ -131,10 +115,7 @@ void bind_joint(py::module_& module) {
       "the frame of the meshes, mm.");
   bind_making(joint);
   bind_pose_answers(joint);
-  bind_limits(joint);
-  bind_volume(joint);
-  bind_change(joint);
-  bind_measures(joint);
+  bind_questions(joint);
   bind_facts(joint);
 }
 

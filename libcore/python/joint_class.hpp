@@ -3,8 +3,9 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
-#include <pybind11/pybind11.h>
+#include <pybind11/numpy.h>
 
 #include "python/pose_joint.hpp"
 
@@ -17,9 +18,13 @@ using JointClass = pybind11::class_<PoseJoint, SharedJoint>;
 
 void bind_making(JointClass& joint);        // read(), from_arrays(), from_hip()
 void bind_pose_answers(JointClass& joint);  // gaps(), touch(), smallest_gap(), matrices()
-void bind_limits(JointClass& joint);        // limits()
-void bind_volume(JointClass& joint);        // volume()
-void bind_change(JointClass& joint);        // resect(), orient()
-void bind_measures(JointClass& joint);      // measures(), certificate()
+void bind_questions(JointClass& joint);
+
+/// Angles, a text of them or matrices (impinge/__init__.pyi says which), as poses of the ball in the centre
+/// frame. std::invalid_argument, one line, for anything else.
+std::vector<Pose> poses_of(const SessionJoint& joint, const pybind11::object& given);
+
+/// Matrices of poses, shape (n, 4, 4), x' = M x in the frame of the meshes, mm.
+pybind11::array matrices_of(const SessionJoint& joint, const std::vector<Pose>& poses);
 
 }  // namespace impinge::python

@@ -8,11 +8,8 @@
 
 #include <pybind11/stl.h>
 
-#include "joint/gaps.hpp"
 #include "python/arrays.hpp"
 #include "python/joint_class.hpp"
-#include "python/poses.hpp"
-#include "python/question_method.hpp"
 
 namespace impinge::python {
 namespace {
@@ -86,8 +83,7 @@ py::array touch(PoseJoint& joint, const py::object& given) {
   py::array_t<bool> found(static_cast<py::ssize_t>(poses.size()));
   bool* const touches = found.mutable_data();
   without_lock(poses.size(), [&](std::size_t k) {
-    touches[k] =
-        joint.answer({.touch = true, .smallest_gap = false}, poses[k]).touch->contact == Contact::yes;
+    touches[k] = joint.row(PosesOutput::touch, poses[k]).verdict->contact == Contact::yes;
   });
   return found;
 }
@@ -101,30 +97,25 @@ struct SmallestRow {
   std::int64_t surface;
 };
 
-SmallestRow smallest_row(const SessionJoint& joint, const std::optional<PosedGap>& found) {
+SmallestRow smallest_row(const std::optional<SmallestOfPose>& found) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (!found) return {kNone, kNone, kNone, -1, -1};
-  return {
-      found->least.gap_mm, found->bound_mm, joint.dial ? joint.dial->hours(joint.axes * found->place) : kNone,
-      static_cast<std::int64_t>(found->least.at.vertex), found->least.at.scanned == Surface::ball ? 0 : 1};
+  return {found->gap_mm, *found->error_bound_mm, found->hours.value_or(kNone),
+          static_cast<std::int64_t>(found->vertex), found->surface == Surface::ball ? 0 : 1};
 }
 
 py::array smallest_gap(PoseJoint& joint, const py::object& given) {
   const std::vector<Pose> poses = poses_of(joint.joint(), given);
   py::array_t<SmallestRow> rows(static_cast<py::ssize_t>(poses.size()));
   SmallestRow* const row = rows.mutable_data();
-  without_lock(poses.size(), [&](std::size_t k) {
-    row[k] =
-        smallest_row(joint.joint(), joint.answer({.touch = false, .smallest_gap = true}, poses[k]).smallest);
-  });
+  without_lock(poses.size(),
+               [&](std::size_t k) { row[k] = smallest_row(joint.row(PosesOutput::gap, poses[k]).smallest); });
   return rows;
 }
 
 }  // namespace
 
 void bind_pose_answers(JointClass& joint) {
-  bind_question<TouchRequest, TouchAnswer>(joint, "_touch", "Do the bones touch in a pose?");
-  bind_question<GapsRequest, GapsAnswer>(joint, "_gaps", "What all gaps of a pose say.");
   PYBIND11_NUMPY_DTYPE(SmallestRow, gap_mm, bound_mm, clock, vertex, surface);
   const auto none = py::none();
   joint

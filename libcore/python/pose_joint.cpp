@@ -39,10 +39,10 @@ const PackedJoint<PoseTable>& PoseJoint::tables(double precision_deg) {
   return *made;
 }
 
-SeriesAnswer PoseJoint::answer(const SeriesOutputs& outputs, const Pose& pose) {
+PoseRow PoseJoint::row(PosesOutput output, const Pose& pose) {
   const std::scoped_lock lock(busy_);
-  auto& series = series_[{outputs.touch, outputs.smallest_gap}];
-  if (!series) series = std::make_unique<PoseSeries>(joint().joint, outputs);
+  auto& series = series_[output];
+  if (!series) series = std::make_unique<PoseSeries>(joint(), PosesRequest{.outputs = {output}});
   return series->answer(pose);
 }
 

@@ -7,30 +7,15 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <span>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "gap/simd/exact_cells.hpp"
 #include "gap/simd/joint_scan.hpp"
-#include "joint/limits.hpp"
-#include "joint/measures.hpp"
-#include "joint/pose_series.hpp"
-#include "joint/proof.hpp"
-#include "joint/scan_contact.hpp"
-#include "joint/session.hpp"
-#include "joint/volume.hpp"
+#include "joint/poses.hpp"
 
 namespace impinge::python {
 
 using PoseTable = PackedTable<CubeGnomonic, std::uint16_t>;  // that answers at a precision
-
-/// By the question that the request is of (joint/).
-template <class Request, class... How>
-auto answered(Session& session, const Request& request, const How&... how) {
-  return answer(session, request, how...);
-}
 
 class PoseJoint {
  public:
@@ -50,11 +35,11 @@ class PoseJoint {
   const PackedJoint<PoseTable>& tables(double precision_deg);
 
   /// These answer one call at a time: a second thread waits.
-  SeriesAnswer answer(const SeriesOutputs& outputs, const Pose& pose);
+  PoseRow row(PosesOutput output, const Pose& pose);
   template <class Request, class... How>
   auto ask(const Request& request, const How&... how) {
     const std::scoped_lock lock(busy_);
-    return answered(session_, request, how...);
+    return answer(session_, request, how...);
   }
 
  private:
@@ -64,7 +49,7 @@ class PoseJoint {
   BallSocketPair cells_of_;  // meshes that these borrow
   std::unique_ptr<const PackedJoint<ExactCells>> cells_;
   std::map<double, std::unique_ptr<const PackedJoint<PoseTable>>> tables_;  // by precision
-  std::map<std::pair<bool, bool>, std::unique_ptr<PoseSeries>> series_;     // by touch, smallest_gap
+  std::map<PosesOutput, std::unique_ptr<PoseSeries>> series_;
 };
 
 }  // namespace impinge::python

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "python/poses.hpp"
+#include "joint/poses.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -9,9 +9,8 @@
 
 #include "gap/nearest_rotation.hpp"
 #include "hip/pose_travel.hpp"
-#include "joint/pose_answer.hpp"
-#include "joint/pose_series.hpp"
 #include "python/arrays.hpp"
+#include "python/joint_class.hpp"
 
 namespace impinge::python {
 namespace {

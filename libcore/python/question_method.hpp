@@ -27,7 +27,8 @@ std::string docstring_of(std::string_view text) {
              (field.unit.empty() || field.unit == "1" ? "" : " (" + std::string(field.unit) + ")") + ": " +
              std::string(field.text);
   };
-  if constexpr (std::tuple_size<decltype(Request::fields())>::value > 0) {
+  constexpr bool kAsked = !std::same_as<std::remove_cvref_t<decltype(fields_of<Request>)>, std::tuple<>>;
+  if constexpr (kAsked) {
     lines += "\n\nArguments";
     for_each_field<Request>(add);
   }

@@ -15,7 +15,6 @@
 #include "support/command_line.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/thrown.hpp"
-#include "support/turned.hpp"
 
 namespace impinge {
 namespace {
@@ -129,14 +128,6 @@ TEST_F(Cartilage, ABallThatPenetratesAllOverIsAnAnswer) {
   for (Vec3& v : ball.vertices) v *= 1.1;
   write_mesh(ball_, ball);
   EXPECT_LT(test::document_of(line)["answer"]["smallest_gap"]["gap_mm"], -1.0);
-}
-
-TEST_F(Cartilage, BonesThatOverlapAsScannedAreWarnedOf) {
-  const std::string line = hip({.joint_space = 2.0});
-  EXPECT_EQ(test::document_of(line)["joint"]["warnings"].dump().find("touch as scanned"), std::string::npos);
-  write_mesh(ball_, test::moved(read_mesh(ball_), {-3.0, 0.0, 0.0}));
-  const Json found = test::document_of(line + " --centre 0,0,0");
-  EXPECT_NE(found["joint"]["warnings"].dump().find("touch as scanned"), std::string::npos);
 }
 
 }  // namespace

@@ -96,8 +96,7 @@ TEST_F(Gaps, DistancesHoldTheExactOnes) {
   asked_.pose = parse_motion("flexion=60");
   Session session = this->session();
   const Joint& joint = session.joint->joint;
-  const GapsAnswer report = answer(session, asked_);
-  const Measurement& found = report.found;
+  const GapsAnswer found = answer(session, asked_);
   std::vector<Vec3> points;
   for (const Vec3& v : joint.ball.mesh.vertices) points.push_back(to_socket(found.pose, v));
   const std::vector<double> distance = closest_distances(joint.socket.mesh, {.points = points});
@@ -107,7 +106,7 @@ TEST_F(Gaps, DistancesHoldTheExactOnes) {
     EXPECT_GE(found.ball.distance[i].upper_mm, distance[i]);
     smallest = std::min(smallest, distance[i]);
   }
-  EXPECT_LE(report.euclidean_distance.value().smallest_between_mm[0], smallest);
+  EXPECT_LE(found.euclidean_distance().value().smallest_between_mm[0], smallest);
 }
 
 // The bound of a socket's vertex is that of the ball's surface where the posed vertex looks at it: rough on
@@ -123,7 +122,7 @@ TEST_F(Gaps, BoundsOfTheSocketAreThoseOfThePosedBall) {
   asked_.pose = parse_motion("flexion=90");
   Session session = this->session();
   const Joint& joint = session.joint->joint;
-  const Measurement found = answer(session, asked_).found;
+  const GapsAnswer found = answer(session, asked_);
   const RayCaster oracle(joint.ball.mesh);
   double largest = 0.0;
   double least_bound = HUGE_VAL;
@@ -152,8 +151,7 @@ TEST_F(Gaps, AnAccuracyIsKeptAndProvenAtEveryVertex) {
   const RayCaster socket(joint.socket.mesh);
   for (const double accuracy : {1.0, 0.01, 1e-9}) {
     asked_.max_error_mm = accuracy;
-    const GapsAnswer report = answer(session, asked_);
-    const Measurement& found = report.found;
+    const GapsAnswer found = answer(session, asked_);
     std::size_t gaps = 0;
     for (std::size_t i = 0; i < found.ball.gap.size(); ++i) {
       const Vec3 x = to_socket(found.pose, joint.ball.mesh.vertices[i]);
@@ -165,11 +163,11 @@ TEST_F(Gaps, AnAccuracyIsKeptAndProvenAtEveryVertex) {
       EXPECT_LE(std::abs(gap - found.ball.gap[i]), found.ball.bound[i] + 1e-11);
     }
     EXPECT_GT(gaps, 100U);
-    EXPECT_LE(found.proven->smallest.high - found.proven->smallest.low, 1e-9);
-    EXPECT_LE(report.error_bound.value().largest_mm, accuracy);
-    EXPECT_EQ(report.error_bound->vertices_without_bound, 0U);
-    EXPECT_EQ(report.radial_overlap.value().ball.bounds_refuted, 0U);
-    EXPECT_FALSE(report.precision_deg);
+    EXPECT_LE(found.error_bound->smallest.high - found.error_bound->smallest.low, 1e-9);
+    EXPECT_LE(found.error_bound->largest_mm, accuracy);
+    EXPECT_EQ(found.error_bound->unbounded, 0U);
+    EXPECT_EQ(found.radial_overlap.value().ball.refuted, 0U);
+    EXPECT_FALSE(found.precision_deg);
   }
   asked_.max_error_mm = 1e-15;
   const std::string refusal = test::thrown<std::runtime_error>([&] { answer(session, asked_); });
@@ -185,7 +183,7 @@ TEST_F(Gaps, TheSmallestGapIsProvenWhereBoundsSayNothing) {
   asked_.precision_deg = 2.0;
   Session session = this->session();
   const Joint& joint = session.joint->joint;
-  const Measurement found = answer(session, asked_).found;
+  const GapsAnswer found = answer(session, asked_);
   EXPECT_GT(std::ranges::count_if(found.socket.bound, [](double bound) { return bound > 1.0; }), 20);
   const RayCaster oracle(joint.ball.mesh);
   double smallest = HUGE_VAL;
@@ -194,9 +192,9 @@ TEST_F(Gaps, TheSmallestGapIsProvenWhereBoundsSayNothing) {
   const RayCaster socket(joint.socket.mesh);
   for (const Vec3& x : joint.ball.mesh.vertices)
     smallest = std::fmin(smallest, socket.cast(x.normalized(), Layer::nearest) - x.norm());
-  EXPECT_NEAR(found.proven->smallest.low, smallest, 1e-9);
-  EXPECT_NEAR(found.proven->smallest.high, smallest, 1e-9);
-  EXPECT_GT(found.proven->smallest.measured, 20U);
+  EXPECT_NEAR(found.error_bound->smallest.low, smallest, 1e-9);
+  EXPECT_NEAR(found.error_bound->smallest.high, smallest, 1e-9);
+  EXPECT_GT(found.error_bound->smallest.measured, 20U);
 }
 
 TEST_F(Gaps, TablesThatDoNotFitAreRefused) {

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "command/limit_words.hpp"
 #include "joint/joint_document.hpp"
 #include "limits/told_limit.hpp"
 #include "mesh/generated_pair.hpp"
@@ -130,23 +129,23 @@ TEST(LimitsCommand, SaysThatWhatIsMissingMayComeFirst) {
 
 // Ends of what is proven are no higher, or no lower, than they are: 53.56 is "not before 53.5".
 TEST(LimitsCommand, IsToldOutward) {
-  LimitsAnswer found{.centre_within_mm = 0.5, .limits = std::vector<LimitDocument>(1)};
-  LimitDocument& limit = found.limits.front();
+  LimitsAnswer found{.centre_within_mm = 0.5, .limits = std::vector<LimitAnswer>(1)};
+  ToldLimit& told = found.limits.front().told;
+  TurnLimit& limit = told.limit;
   limit.state = LimitState::limited;
   limit.low_deg = 53.56789;
   limit.high_deg = 53.56791;
-  limit.centre_low_deg = 40.06;
-  limit.centre_high_deg = 60.04;
-  limit.play_low_deg = 41.06;
-  limit.half_mm_gap_deg = 42.06;
-  limit.leaves_ball_mesh_deg = 43.06;
+  told.common = {40.06, 60.04, true};
+  told.play.low_deg = 41.06;
+  told.half_mm_gap_deg = 42.06;
+  limit.leaves_mesh_deg = 43.06;
   const std::string text = describe(found);
   for (const char* said : {"between 53.5678 and 53.5680 degrees", ": 40.0 to 60.1 degrees",
                            "none before 41.0 degrees", "0.5 mm at 42.0 degrees", "from 43.0 degrees on"})
     EXPECT_NE(text.find(said), std::string::npos) << said << " in\n" << text;
   limit.state = LimitState::unknown;
   EXPECT_NE(describe(found).find("leaves the ball's mesh at 53.5 degrees"), std::string::npos);
-  limit.leaves_ball_mesh_deg.reset();
+  limit.leaves_mesh_deg.reset();
   EXPECT_NE(describe(found).find("none up to 53.5 degrees, where"), std::string::npos);
   limit.state = LimitState::free;
   EXPECT_NE(describe(found).find("none up to 53.5 degrees,"), std::string::npos);

@@ -90,8 +90,8 @@ TEST(RealBones, CentreAndSmallestGapAreThoseOfTheDescription) {
     const GapsAnswer found = answer(session, GapsRequest());
     const double distance = subject["pose"]["min_gap_regions_mm"];
     EXPECT_NEAR(found.smallest_gap.value().gap_mm, distance, 0.15) << hip;
-    EXPECT_EQ(found.impingement.at(0).ball.vertices, 0U) << hip << ": no bone touches another";
-    EXPECT_GT(found.impingement.at(1).socket.area_mm2, 100.0) << hip << ": 4 mm of cartilage do touch";
+    EXPECT_EQ(found.impingement().at(0).ball.vertices, 0U) << hip << ": no bone touches another";
+    EXPECT_GT(found.impingement().at(1).socket.area_mm2, 100.0) << hip << ": 4 mm of cartilage do touch";
   }
 }
 
@@ -188,13 +188,13 @@ TEST(RealBones, TurnUntilSurfacesMeet) {
       for (std::size_t k = 0; k < motions.size(); ++k) {
         const double expected = (whole ? of->whole : of->cropped)[k];
         if (expected == 0.0) continue;
-        const LimitAnswer found = answer_limits(session, {.start = {}, .growing = motions[k]}).contact;
+        const LimitAnswer found = answer_limits(session, {.start = {}, .growing = motions[k]}).front();
         const TurnLimit& limit = found.told.limit;
         EXPECT_NEAR(limit.low_deg, expected, 0.01) << hip << " " << motions[k] << " " << whole;
         EXPECT_LT(limit.high_deg - limit.low_deg, 1e-6);
-        EXPECT_EQ(meets(found), whole && k == 3 ? "bone beyond the rim and trochanter or shaft"
-                                : k == 4        ? "head within the socket"
-                                                : "rim and neck")
+        EXPECT_EQ(found.meets(), whole && k == 3 ? "bone beyond the rim and trochanter or shaft"
+                                 : k == 4        ? "head within the socket"
+                                                 : "rim and neck")
             << hip << " " << motions[k] << " " << whole;
       }
     }

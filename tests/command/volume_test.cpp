@@ -6,18 +6,17 @@
 #include <set>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "command/answer_key.hpp"
-#include "command/program.hpp"
 #include "files/file_bytes.hpp"
 #include "hip/named_motion.hpp"
 #include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"
 #include "rotations/rotation_cells.hpp"
+#include "support/command_line.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace impinge {
@@ -33,18 +32,15 @@ class VolumeCommand : public testing::Test {
   }
   // Its exit code; what it says beside the answer goes to `log_`.
   int run(const std::filesystem::path& out) {
-    const std::string ball = folder_.path() / "ball.ply";
-    const std::string socket = folder_.path() / "socket.ply";
-    const std::vector<const char*> words{"impinge",  "volume", ball.c_str(), socket.c_str(),
-                                         "--centre", "0,0,0",  "--side",     "right",
-                                         "--width",  "0.3",    "--out",      out.c_str()};
-    std::ostringstream out_of;
-    log_.str("");
-    return run_program(static_cast<int>(words.size()), words.data(), out_of, log_);
+    const test::Ran ran = test::run("volume " + (folder_.path() / "ball.ply").string() + " " +
+                                    (folder_.path() / "socket.ply").string() +
+                                    " --centre 0,0,0 --side right --width 0.3 --out " + out.string());
+    log_ = ran.log;
+    return ran.code;
   }
 
   test::TemporaryFolder folder_;
-  std::ostringstream log_;
+  std::string log_;
 };
 
 TEST_F(VolumeCommand, WritesCellsThatSumToAllRotations) {
@@ -92,7 +88,7 @@ TEST_F(VolumeCommand, GoesOnWhereItWasInterrupted) {
     write_bytes(part, left);
     EXPECT_EQ(run(again), 0);
     const bool some = left.starts_with(verdicts.substr(0, 20));
-    EXPECT_EQ(log_.str().find("cells were decided before") != std::string::npos, some);
+    EXPECT_EQ(log_.find("cells were decided before") != std::string::npos, some);
     for (const char* file : {"volume.csv", "volume.json", "volume.svg"})
       EXPECT_EQ(read_bytes(again / file), read_bytes(whole / file)) << file;
     EXPECT_FALSE(std::filesystem::exists(part));

@@ -120,9 +120,9 @@ TEST_F(JointWarnings, AnOverlapThatIsAllowedIsNoContact) {
     options_.overlap_mm = overlap;
     EXPECT_EQ(said().size(), overlap > 0.3 ? 0U : 1U) << overlap;
     const Session session = load_joint(options_, {});
-    const ScanContact found = contact_in(*session.joint, Pose());
-    EXPECT_NEAR(*found.gap_mm, overlap - 0.25, 0.05);
-    EXPECT_EQ(found.touch, overlap < 0.3);
+    const TouchAnswer found = touch_in(*session.joint, Pose());
+    EXPECT_NEAR(found.smallest_gap->gap_mm, overlap - 0.25, 0.05);
+    EXPECT_EQ(found.contact.state == Contact::yes, overlap < 0.3);
   }
   options_.overlap_mm = 30.0;
   const std::string refused = test::thrown<std::runtime_error>([&] { load_joint(options_, {}); });
@@ -147,17 +147,16 @@ TEST_F(JointWarnings, AGapBelowWhatIsAskedForIsSaidOfThatQuestionAlone) {
 
 TEST(ScanContact, WhatIsNotKnownIsLeftOutOfTheWords) {
   const ScanContactOptions options{.overlap = "--overlap", .threshold_mm = 4.0, .threshold = "--cartilage"};
-  ScanContact found;
+  TouchAnswer found;
   const auto said = [&] { return describe_contact(found, "as scanned", options); };
   EXPECT_EQ(said(), "");
-  found.touch = true;
-  found.bodies = "trochanter and spine";
+  found.contact = {Contact::yes, ContactRule::surfaces, "trochanter", "spine"};
   EXPECT_EQ(said().rfind("trochanter and spine touch as scanned: what begins", 0), 0U);
   EXPECT_EQ(said().find("--overlap"), std::string::npos);
   EXPECT_EQ(describe_threshold(found, "as scanned", options), "");
-  found.gap_mm = -1.25;
+  found.smallest_gap.emplace().gap_mm = -1.25;
   EXPECT_NE(said().find("as scanned, 1.250 mm deep along a ray: what"), std::string::npos);
-  found.hours = 1.5;
+  found.smallest_gap->hours = 1.5;
   EXPECT_NE(said().find("1.250 mm deep along a ray at 1:30 o'clock: "), std::string::npos);
   EXPECT_NE(said().find("--overlap"), std::string::npos);
 }

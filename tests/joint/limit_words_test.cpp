@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -32,11 +33,12 @@ HipParameters right(const char* preset) {
 TEST(LimitWords, SayThatACamMeetsTheRim) {
   Session session;
   use_hip(session, right("cam"));
-  const LimitAnswers found = answer_limits(
+  const std::vector<LimitAnswer> found = answer_limits(
       session, {.start = {.flexion = 90.0}, .growing = "internal_rotation", .cartilage_mm = 2.0});
-  for (const LimitAnswer* limit : {&found.contact, &found.socket.value(), &found.cartilage}) {
-    ASSERT_EQ(limit->told.limit.state, LimitState::limited);
-    EXPECT_EQ(meets(*limit), "rim and neck");
+  ASSERT_EQ(found.size(), 3U) << "about both centres, and of the cartilage";
+  for (const LimitAnswer& limit : found) {
+    ASSERT_EQ(limit.told.limit.state, LimitState::limited);
+    EXPECT_EQ(limit.meets(), "rim and neck");
   }
 }
 
@@ -47,9 +49,9 @@ TEST(LimitWords, SayThatAHeadMeetsTheSocketWithin) {
   parameters.joint_space = 1.0;
   const Vec3 centre(0.0, -8.0, 0.0);
   Session session = session_of(make_hip(parameters, 3000), centre);
-  const LimitAnswer found = answer_limits(session, {.start = {}, .growing = "flexion"}).contact;
+  const LimitAnswer found = answer_limits(session, {.start = {}, .growing = "flexion"}).front();
   ASSERT_EQ(found.told.limit.state, LimitState::limited);
-  EXPECT_EQ(meets(found), "head within the socket");
+  EXPECT_EQ(found.meets(), "head within the socket");
   const HipSurface hip = hip_surface(parameters);
   const Vec3 place = found.told.limit.contact.value().place + centre - hip.socket_centre;
   EXPECT_NEAR(place.norm(), hip.socket_radius, 0.2);
@@ -62,9 +64,9 @@ TEST(LimitWords, NameTheBonesBehindAThreshold) {
   parameters.joint_space = 5.0;
   Session session = session_of(make_hip(parameters, 3000), Vec3(0.0, -4.0, 0.0));
   const LimitAnswer found =
-      answer_limits(session, {.start = {}, .growing = "flexion", .cartilage_mm = 4.0}).cartilage;
+      answer_limits(session, {.start = {}, .growing = "flexion", .cartilage_mm = 4.0}).back();
   ASSERT_EQ(found.told.limit.state, LimitState::limited);
-  EXPECT_EQ(meets(found), "head within the socket");
+  EXPECT_EQ(found.meets(), "head within the socket");
 }
 
 // The deepest place, of a head too large for its socket or of too thick a layer: towards the pole.
@@ -76,25 +78,27 @@ TEST(LimitWords, NameWhatBlocksFromTheStart) {
   const Hip fitting = hip;
   for (Vec3& x : hip.ball.vertices) x *= (surface.head_radius + 7.0) / surface.head_radius;
   Session large = session_of(std::move(hip), to_pole);
-  const LimitAnswer contact = answer_limits(large, {.start = {}, .growing = "flexion"}).contact;
+  const LimitAnswer contact = answer_limits(large, {.start = {}, .growing = "flexion"}).front();
   EXPECT_EQ(contact.told.limit.state, LimitState::blocked);
-  EXPECT_EQ(what_of(contact), "head within the socket") << "sure for all centres";
+  EXPECT_EQ(contact.what(), "head within the socket") << "sure for all centres";
   Session tight = session_of(fitting, to_pole);
-  const LimitAnswers found = answer_limits(tight, {.start = {}, .growing = "flexion", .cartilage_mm = 5.0});
-  EXPECT_EQ(found.cartilage.told.limit.state, LimitState::blocked);
-  EXPECT_EQ(meets(found.cartilage), "head within the socket");
-  EXPECT_EQ(meets(found.contact), "rim and neck");
+  const auto found = answer_limits(tight, {.start = {}, .growing = "flexion", .cartilage_mm = 5.0});
+  EXPECT_EQ(found.back().told.limit.state, LimitState::blocked);
+  EXPECT_EQ(found.back().meets(), "head within the socket");
+  EXPECT_EQ(found.front().meets(), "rim and neck");
 }
 
 // The mark is where half a millimetre moves the end by more than five degrees, whatever the end is.
 TEST(LimitWords, MarkWideRanges) {
-  LimitAnswer answer{"ball", Vec3::Zero(), {}, std::nullopt, "neck", "rim"};
+  LimitAnswer answer;
+  answer.ball_part = "neck";
+  answer.socket_part = "rim";
   ToldLimit& told = answer.told;
   const auto marked = [&](LimitState state, double low, const CentreInterval& range) {
     told.limit.state = state;
     told.limit.low_deg = told.limit.high_deg = low;
     told.common = range;
-    const bool mark = what_of(answer).find("; sensitive to less than 0.5 mm") != std::string::npos;
+    const bool mark = answer.what().find("; sensitive to less than 0.5 mm") != std::string::npos;
     EXPECT_EQ(mark, told.hangs_on_less());
     return mark;
   };

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of a pose is not asked for is not worked out, and what is asked for stays the same, bit for bit.
-#include "joint/measurement.hpp"
-
 #include <cmath>
 #include <string>
 
@@ -24,10 +22,10 @@ Session hip() {
   return {std::move(joint), std::nullopt, "ALS"};
 }
 
-PoseQuestion flexed(const char* angle) {
-  PoseQuestion options;
+GapsRequest flexed(const char* angle) {
+  GapsRequest options;
   options.precision_deg = 2.0;  // bounds of finer tables take a while
-  options.motion = parse_motion(std::string("flexion=") + angle);
+  options.pose = parse_motion(std::string("flexion=") + angle);
   return options;
 }
 
@@ -39,16 +37,16 @@ void expect_same(const std::vector<double>& a, const std::vector<double>& b) {
 
 TEST(Measurements, GapsAloneAreTheGaps) {
   Session session = hip();
-  PoseQuestion options = flexed("60");
-  const Measurement everything = measure(session, options);
+  GapsRequest options = flexed("60");
+  const GapsAnswer everything = answer(session, options);
   EXPECT_TRUE(everything.left_out.empty());
-  ASSERT_TRUE(everything.certificate);
-  options.outputs = {true, false, false, false};
-  const Measurement gaps = measure(session, options);
+  ASSERT_TRUE(everything.radial_overlap);
+  options.outputs = {Output::gaps};
+  const GapsAnswer gaps = answer(session, options);
   expect_same(gaps.ball.gap, everything.ball.gap);
   expect_same(gaps.socket.gap, everything.socket.gap);
-  EXPECT_TRUE(gaps.ball.bound.empty() && gaps.ball.distance.empty() && !gaps.certificate);
-  EXPECT_EQ(gaps.entries, everything.entries) << "of the scheme";
+  EXPECT_TRUE(gaps.ball.bound.empty() && gaps.ball.distance.empty() && !gaps.radial_overlap);
+  EXPECT_EQ(gaps.entries_per_table, everything.entries_per_table) << "of the scheme";
 }
 
 TEST(Measurements, TouchHasTheSmallestOfAllGaps) {
@@ -58,8 +56,8 @@ TEST(Measurements, TouchHasTheSmallestOfAllGaps) {
     gaps.pose.flexion = angle;
     const GapsAnswer all = answer(session, gaps);
     double smallest = HUGE_VAL;
-    for (const double g : all.found.ball.gap) smallest = std::fmin(smallest, g);
-    for (const double g : all.found.socket.gap) smallest = std::fmin(smallest, g);
+    for (const double g : all.ball.gap) smallest = std::fmin(smallest, g);
+    for (const double g : all.socket.gap) smallest = std::fmin(smallest, g);
     EXPECT_EQ(all.smallest_gap.value().gap_mm, smallest);
     const TouchAnswer touch = answer(session, TouchRequest{.pose = gaps.pose});
     EXPECT_NEAR(touch.smallest_gap.value().gap_mm, smallest, 1e-9);
@@ -76,16 +74,17 @@ TEST(Measurements, TouchHasTheSmallestOfAllGaps) {
 TEST(Measurements, TheFacesAnswerASinglePose) {
   Session session = hip();
   for (const char* angle : {"0", "30", "60"}) {
-    PoseQuestion options = flexed(angle);
-    const Measurement table = measure(session, options);
-    EXPECT_EQ(table.bytes, 2 * sizeof(double) * table.entries);
+    GapsRequest options = flexed(angle);
+    const GapsAnswer table = answer(session, options);
+    EXPECT_EQ(table.table_bytes, 2 * sizeof(double) * table.entries_per_table);
+
     options.precision_deg.reset();
-    const Measurement faces = measure(session, options);
-    EXPECT_EQ(faces.entries, 0U);
-    EXPECT_LT(faces.proven->largest_mm, 1e-9);
-    EXPECT_EQ(faces.certificate->surfaces_impinged, table.certificate->surfaces_impinged);
-    EXPECT_EQ(faces.certificate->ball.impinged, table.certificate->ball.impinged);
-    EXPECT_EQ(faces.certificate->ball.refuted + faces.certificate->socket.refuted, 0U);
+    const GapsAnswer faces = answer(session, options);
+    EXPECT_EQ(faces.entries_per_table, 0U);
+    EXPECT_LT(faces.error_bound->largest_mm, 1e-9);
+    EXPECT_EQ(faces.radial_overlap->surfaces_impinged, table.radial_overlap->surfaces_impinged);
+    EXPECT_EQ(faces.radial_overlap->ball.impinged, table.radial_overlap->ball.impinged);
+    EXPECT_EQ(faces.radial_overlap->ball.refuted + faces.radial_overlap->socket.refuted, 0U);
     const RayCaster socket(session.joint->joint.socket.mesh);
     for (std::size_t i = 0; i < faces.ball.gap.size(); ++i) {
       const Vec3 x = to_socket(faces.pose, session.joint->joint.ball.mesh.vertices[i]);
@@ -96,10 +95,10 @@ TEST(Measurements, TheFacesAnswerASinglePose) {
       if (std::isnan(table.ball.gap[i])) continue;
       EXPECT_LE(std::abs(gap - table.ball.gap[i]), table.ball.bound[i] + 1e-11) << i;
     }
-    EXPECT_EQ(faces.contact.value().contact == Contact::yes, faces.certificate->surfaces_impinged);
-    options.scan_socket = false;
-    options.outputs = {true, false, false, false};
-    const Measurement ball = measure(session, options);
+    EXPECT_EQ(faces.contact.value().state == Contact::yes, faces.radial_overlap->surfaces_impinged);
+    options.surfaces = Scanned::ball;
+    options.outputs = {Output::gaps};
+    const GapsAnswer ball = answer(session, options);
     expect_same(ball.ball.gap, faces.ball.gap);
     EXPECT_TRUE(ball.socket.gap.empty() && ball.ball.bound.empty());
     EXPECT_NE(ball.way.find("measured on the faces near it"), std::string::npos) << ball.way;
@@ -109,17 +108,18 @@ TEST(Measurements, TheFacesAnswerASinglePose) {
 // Where edges cross and no vertex is beyond, the surfaces touch, and vertices alone would not say so.
 TEST(Measurements, ATouchBetweenVerticesIsOne) {
   Session session = hip();
-  PoseQuestion options = flexed("30");
+  GapsRequest options = flexed("30");
+
   options.precision_deg.reset();
-  options.outputs = {true, false, false, true};
+  options.outputs = {Output::gaps, Output::verdicts};
   bool between = false;
   for (double angle = 30.0; angle < 60.0 && !between; angle += 0.05) {
-    options.motion.flexion = angle;
-    const Certificate certificate = *measure(session, options).certificate;
+    options.pose.flexion = angle;
+    const Certificate certificate = *answer(session, options).radial_overlap;
     between = certificate.surfaces_impinged && !certificate.vertices_impinged();
   }
   ASSERT_TRUE(between);
-  EXPECT_EQ(answer(session, TouchRequest{.pose = options.motion}).contact.state, Contact::yes);
+  EXPECT_EQ(answer(session, TouchRequest{.pose = options.pose}).contact.state, Contact::yes);
 }
 
 }  // namespace

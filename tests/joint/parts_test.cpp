@@ -14,10 +14,10 @@
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "hip/named_motion.hpp"
+#include "joint/gaps.hpp"
 #include "joint/limits.hpp"
-#include "joint/measurement.hpp"
 #include "joint/orient.hpp"
-#include "joint/pose_series.hpp"
+#include "joint/poses.hpp"
 #include "joint/proof.hpp"
 #include "joint/resect.hpp"
 #include "joint/touch.hpp"
@@ -49,10 +49,11 @@ TEST(Parts, AreNamedByALimit) {
   Session session = session_of(make_hip(test::hip_with_parts(), 2000));
   const Session without = session_of(make_hip({}, 2000));
   const auto parts_of = [&](double flexion, const char* motion) {
-    const LimitAnswers found = answer_limits(session, {.start = {.flexion = flexion}, .growing = motion});
-    EXPECT_EQ(found.contact.ball_part, found.socket.value().ball_part);
-    EXPECT_EQ(found.contact.socket_part, found.socket.value().socket_part);
-    return found.contact.ball_part + "/" + found.contact.socket_part;
+    const auto found = answer_limits(session, {.start = {.flexion = flexion}, .growing = motion});
+    EXPECT_EQ(found[1].centre, "socket");
+    EXPECT_EQ(found[0].ball_part, found[1].ball_part);
+    EXPECT_EQ(found[0].socket_part, found[1].socket_part);
+    return found[0].ball_part.value() + "/" + found[0].socket_part.value();
   };
   EXPECT_EQ(parts_of(70.0, "internal_rotation"), "neck/AIIS");
   EXPECT_EQ(parts_of(0.0, "adduction"), "neck/rim");
@@ -71,7 +72,7 @@ TEST(Parts, StopNothingThatPassesThemAtADistance) {
     HipParameters parameters = test::hip_with_parts();
     parameters.shaft_length = length;
     Session session = session_of(make_hip(parameters, 2000));
-    const double low = answer_limits(session, {.start = {}, .growing = "flexion"}).contact.told.limit.low_deg;
+    const double low = answer_limits(session, {.start = {}, .growing = "flexion"}).front().told.limit.low_deg;
     least = std::min(least, low);
     most = std::max(most, low);
     for (const double flexion : {120.0, low - 0.1}) {
@@ -85,12 +86,12 @@ TEST(Parts, StopNothingThatPassesThemAtADistance) {
 TEST(Parts, TouchInPosesBehindTheLimit) {
   Session session = session_of(make_hip(test::hip_with_parts(), 2000));
   const LimitRequest request{.start = {.flexion = 70.0}, .growing = "internal_rotation"};
-  const TurnLimit limit = answer_limits(session, request).contact.told.limit;
-  PoseSeries series(session.joint->joint, {.touch = true, .smallest_gap = false});
+  const TurnLimit limit = answer_limits(session, request).front().told.limit;
+  PoseSeries series(*session.joint, {.outputs = {PosesOutput::touch}});
   for (const double beyond : {-0.01, 0.01}) {
     const Motion motion{.flexion = 70.0, .internal_rotation = limit.high_deg + beyond};
     EXPECT_EQ(touches(session, motion), beyond > 0.0);
-    EXPECT_EQ(series.answer(pose_of(*session.joint, motion)).touch->contact == Contact::yes, beyond > 0.0);
+    EXPECT_EQ(series.answer(pose_of(*session.joint, motion)).verdict->contact == Contact::yes, beyond > 0.0);
   }
 }
 
@@ -100,13 +101,13 @@ TEST(Parts, AreInVolumeAndOrientation) {
   Session without = session_of(make_hip({}, 1000));
   const VolumeAnswer found = answer(session, VolumeRequest{.width = 0.08});
   const VolumeAnswer alone = answer(without, VolumeRequest{.width = 0.08});
-  EXPECT_LT(found.share_high, alone.share_high);
+  EXPECT_LT(found.shares().high(), alone.shares().high());
   std::size_t by_spine = 0;
   for (std::size_t k = 0; k < found.motions.size(); ++k) {
     const NamedMotion& motion = named_motions()[k];
     const VolumeMotion& stop = found.motions[k];
     const LimitRequest asked{.start = motion.start, .growing = std::string(motion.growing)};
-    const TurnLimit limit = answer_limits(session, asked).contact.told.limit;
+    const TurnLimit limit = answer_limits(session, asked).front().told.limit;
     EXPECT_EQ(stop.motion, motion.name);
     EXPECT_LE(stop.low_deg, limit.high_deg + 1e-6) << motion.name;
     if (stop.high_deg) {
@@ -124,14 +125,15 @@ TEST(Parts, AreInVolumeAndOrientation) {
 TEST(Parts, LeaveGapsAsTheyAre) {
   Session session = session_of(make_hip(test::hip_with_parts(), 1000));
   Session alone = session_of(make_hip({}, 1000));
-  PoseSeries series(session.joint->joint, {.areas = true});
-  PoseSeries series_alone(alone.joint->joint, {.areas = true});
+  const PosesRequest gap_and_areas{.outputs = {PosesOutput::gap, PosesOutput::areas}};
+  PoseSeries series(*session.joint, gap_and_areas);
+  PoseSeries series_alone(*alone.joint, gap_and_areas);
   for (const auto precision : {std::optional<double>(), std::optional<double>(2.0)}) {
-    PoseQuestion asked;
+    GapsRequest asked;
     asked.precision_deg = precision;
-    asked.motion = {.flexion = 70.0, .internal_rotation = 20.0};
-    const Measurement found = measure(session, asked);
-    const Measurement expected = measure(alone, asked);
+    asked.pose = {.flexion = 70.0, .internal_rotation = 20.0};
+    const GapsAnswer found = answer(session, asked);
+    const GapsAnswer expected = answer(alone, asked);
     bool nearer = false;
     for (const Surface of : kSurfaces) {
       const std::size_t vertices = expected.of(of).gap.size();
@@ -147,30 +149,31 @@ TEST(Parts, LeaveGapsAsTheyAre) {
         EXPECT_LE(found.of(of).distance[i].lower_mm, expected.of(of).distance[i].upper_mm);
         nearer = nearer || found.of(of).distance[i].upper_mm < expected.of(of).distance[i].lower_mm;
       }
-      EXPECT_EQ(found.of(of).bone.impinged_area, expected.of(of).bone.impinged_area);
+      EXPECT_EQ(found.of(of).bone.area_mm2, expected.of(of).bone.area_mm2);
       EXPECT_EQ(found.of(of).histogram.without, expected.of(of).histogram.without);
     }
     EXPECT_TRUE(nearer) << "a part is nearer to some vertex";
-    EXPECT_EQ(found.smallest.value().gap_mm, expected.smallest.value().gap_mm);
-    EXPECT_EQ(found.certificate.value().surfaces_impinged, expected.certificate.value().surfaces_impinged);
-    EXPECT_FALSE(expected.part);
+    EXPECT_EQ(found.smallest_gap.value().gap_mm, expected.smallest_gap.value().gap_mm);
+    EXPECT_EQ(found.radial_overlap.value().surfaces_impinged,
+              expected.radial_overlap.value().surfaces_impinged);
+    EXPECT_FALSE(expected.nearest_part);
     // Of all vertices to all bone that they may be a part's nearest of: no pair of bodies is nearer.
     double least = HUGE_VAL;
     for (const Surface of : kSurfaces) {
       for (std::size_t i = expected.of(of).gap.size(); i < found.of(of).distance.size(); ++i)
         least = std::min(least, found.of(of).distance[i].upper_mm);
     }
-    EXPECT_FALSE(found.part.value().touch);
-    EXPECT_GT(found.part->distance_mm, 0.0);
-    EXPECT_LE(found.part->distance_mm, least + 1e-9);
-    const TouchRequest touch{.pose = asked.motion};
+    EXPECT_FALSE(found.nearest_part.value().touch);
+    EXPECT_GT(found.nearest_part->distance_mm, 0.0);
+    EXPECT_LE(found.nearest_part->distance_mm, least + 1e-9);
+    const TouchRequest touch{.pose = asked.pose};
     EXPECT_EQ(answer(session, touch).smallest_gap.value().gap_mm,
               answer(alone, touch).smallest_gap.value().gap_mm);
-    const Pose pose = pose_of(*session.joint, asked.motion);
-    const SeriesAnswer of_series = series.answer(pose);
-    EXPECT_EQ(of_series.smallest.value().least.gap_mm,
-              series_alone.answer(pose).smallest.value().least.gap_mm);
-    EXPECT_EQ(of_series.areas.value()[0].cartilage, series_alone.answer(pose).areas.value()[0].cartilage);
+    const Pose pose = pose_of(*session.joint, asked.pose);
+    const PoseRow of_series = series.answer(pose);
+    EXPECT_EQ(of_series.smallest.value().gap_mm, series_alone.answer(pose).smallest.value().gap_mm);
+    EXPECT_EQ(of_series.areas.value().cartilage_ball_mm2,
+              series_alone.answer(pose).areas.value().cartilage_ball_mm2);
   }
 }
 
@@ -190,12 +193,12 @@ std::vector<Pose> many_poses(const SessionJoint& joint) {
 // Touch decides exactly, and knows nothing of certificates.
 TEST(Parts, HaveCertificatesThatAgreeWithTouch) {
   const Session session = session_of(make_hip(test::hip_with_parts(), 1000));
-  PoseSeries series(session.joint->joint, {.touch = true, .smallest_gap = false});
+  PoseSeries series(*session.joint, {.outputs = {PosesOutput::touch}});
   std::map<bool, int> touched;
   for (const Pose& pose : many_poses(*session.joint)) {
     const ClearanceProof proof = answer_proof(*session.joint, pose);
     EXPECT_EQ(proof.files, (std::array<std::size_t, 2>{3, 2}));
-    const BodyPairs::Verdict touch = series.answer(pose).touch.value();
+    const BodyPairs::Verdict touch = series.answer(pose).verdict.value();
     const bool touches = touch.contact == Contact::yes && touch.rule != ContactRule::radii;
     EXPECT_EQ(touches, proof.says != ClearanceProof::Says::clear);
     ++touched[touches];
@@ -207,7 +210,7 @@ TEST(Parts, HaveCertificatesThatAgreeWithTouch) {
 TEST(Parts, EndAMotionThatHasACertificate) {
   Session session = session_of(make_hip(test::hip_with_parts(), 2000));
   const LimitRequest request{.start = {.flexion = 70.0}, .growing = "internal_rotation"};
-  const double limit = answer_limits(session, request).contact.told.limit.low_deg;
+  const double limit = answer_limits(session, request).front().told.limit.low_deg;
   const ClearanceProof proof = answer_proof(session, request);
   EXPECT_EQ(proof.says, ClearanceProof::Says::clear);
   EXPECT_NEAR(degrees_of(proof.last), limit - kProofEndsBefore[0], 1e-6);
@@ -250,7 +253,7 @@ TEST(Parts, ThatGoOnFromASocketAreOneBoneWithIt) {
   EXPECT_EQ(session.joint->bodies().verdict({}).contact, Contact::no);
   EXPECT_EQ(session.joint->bodies().verdict({Eigen::Matrix3d::Identity(), Vec3(0, 0, 100)}).contact,
             Contact::no);
-  const TurnLimit limit = answer_limits(session, {.start = {}, .growing = "flexion"}).contact.told.limit;
+  const TurnLimit limit = answer_limits(session, {.start = {}, .growing = "flexion"}).front().told.limit;
   EXPECT_EQ(limit.state, LimitState::free);
 }
 
@@ -278,12 +281,13 @@ TEST(Parts, AreLookedAtAfterACut) {
   Session session = session_of(make_hip(test::hip_with_parts(hip_preset("cam")), 2000));
   const auto low = [&](Session& of) {
     return answer_limits(of, {.start = {.flexion = 70.0}, .growing = "internal_rotation"})
-        .contact.told.limit.low_deg;
+        .front()
+        .told.limit.low_deg;
   };
   const double before = low(session);
   ASSERT_LT(before, 34.0);
   const ResectAnswer cut = answer(session, requiring("flexion=70,internal_rotation=35"));
-  EXPECT_GT(cut.volume_mm3.value()[0], 0.0);
+  EXPECT_GT(cut.volume_mm3.low, 0.0);
   Hip hip = make_hip(test::hip_with_parts(hip_preset("cam")), 2000);
   const std::vector<MeshPart> names = std::exchange(hip.ball_parts, {});
   const std::vector<TriangleMesh> parts = part_surfaces(std::exchange(hip.ball, cut.mesh), names);

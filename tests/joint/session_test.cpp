@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "joint/measurement.hpp"
+#include "joint/pose_answer.hpp"
 #include "mesh/generated_pair.hpp"
 
 namespace impinge {
@@ -36,26 +36,27 @@ std::vector<double> known(const std::vector<double>& numbers) {
 
 TEST(Session, APoseIsAnsweredAlikeWhoeverAsks) {
   Session session = session_with_strays();
-  PoseQuestion asked;
+  GapsRequest asked;
   asked.precision_deg = 2.0;
-  asked.motion.flexion = 60.0;
-  const Measurement measured = measure(session, asked);
-  EXPECT_EQ(session.tables.settings.scheme, asked.scheme) << "whose tables are those of the session now";
-  const PoseAnswer answer = answer_pose(session, {asked.motion, Vec3::Zero(), asked.cartilage_mm});
-  const PoseVerdicts verdicts = answer_verdicts(session, {asked.motion, Vec3::Zero(), asked.cartilage_mm});
+  asked.pose.flexion = 60.0;
+  const GapsAnswer measured = answer(session, asked);
+  EXPECT_EQ(session.tables.settings.scheme, asked.scheme_name())
+      << "whose tables are those of the session now";
+  const GapsAnswer posed = answer_pose(session, {asked.pose, Vec3::Zero(), asked.cartilage_mm});
   for (const Surface of : kSurfaces) {
-    EXPECT_EQ(known(answer.of(of).gap), known(measured.of(of).gap));
-    EXPECT_EQ(answer.of(of).bone.impinged_area, measured.of(of).bone.impinged_area);
-    EXPECT_EQ(answer.of(of).cartilage.impinged, measured.of(of).cartilage.impinged);
+    EXPECT_EQ(known(posed.of(of).gap), known(measured.of(of).gap));
+    EXPECT_EQ(posed.of(of).bone.area_mm2, measured.of(of).bone.area_mm2);
+    EXPECT_EQ(posed.of(of).cartilage.vertices, measured.of(of).cartilage.vertices);
   }
+  const PoseVerdicts verdicts = answer_verdicts(session, {asked.pose, Vec3::Zero(), asked.cartilage_mm});
   for (std::size_t k = 1; k <= 4; ++k)
-    EXPECT_TRUE(std::isnan(*(answer.ball.gap.end() - static_cast<long>(k))));
-  EXPECT_LT(answer.smallest->gap_mm, 0.0);
-  EXPECT_EQ(answer.smallest->gap_mm, measured.smallest->gap_mm);
-  EXPECT_EQ(verdicts.largest_mm, measured.proven->largest_mm);
-  EXPECT_EQ(verdicts.smallest.low, measured.proven->smallest.low);
-  VerdictCount by_bound = measured.certificate->ball.by_bound;
-  by_bound += measured.certificate->socket.by_bound;
+    EXPECT_TRUE(std::isnan(*(measured.ball.gap.end() - static_cast<long>(k))));
+  EXPECT_LT(measured.smallest_gap->gap_mm, 0.0);
+  EXPECT_EQ(posed.smallest_gap->gap_mm, measured.smallest_gap->gap_mm);
+  EXPECT_EQ(verdicts.largest_mm, measured.error_bound->largest_mm);
+  EXPECT_EQ(verdicts.smallest.low, measured.error_bound->smallest.low);
+  VerdictCount by_bound = measured.radial_overlap->ball.by_bound;
+  by_bound += measured.radial_overlap->socket.by_bound;
   EXPECT_EQ(verdicts.vertices.impinged, by_bound.impinged);
   EXPECT_EQ(verdicts.vertices.undecided, by_bound.undecided);
   EXPECT_EQ(verdicts.vertices.clear, by_bound.clear);
@@ -65,9 +66,9 @@ TEST(Session, APoseIsAnsweredAlikeWhoeverAsks) {
 TEST(Session, AShiftIsTakenBack) {
   Session session = session_with_strays();
   fill_tables(session, {.scheme = "cube_gnomonic", .precision_deg = 2.0});
-  const PoseAnswer before = answer_pose(session, {});
-  const PoseAnswer shifted = answer_pose(session, {{}, Vec3(0.0, 0.0, 1.0), 4.0});
-  EXPECT_NEAR(shifted.smallest->gap_mm, before.smallest->gap_mm - 1.0, 0.3);
+  const GapsAnswer before = answer_pose(session, {});
+  const GapsAnswer shifted = answer_pose(session, {{}, Vec3(0.0, 0.0, 1.0), 4.0});
+  EXPECT_NEAR(shifted.smallest_gap->gap_mm, before.smallest_gap->gap_mm - 1.0, 0.3);
   EXPECT_EQ(known(answer_pose(session, {}).socket.gap), known(before.socket.gap));
 }
 

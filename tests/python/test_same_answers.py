@@ -98,7 +98,7 @@ def test_gaps_of_the_page(page, floats, tmp_path, k):
     assert texts(mine, "surface", "vertex") == texts(theirs, "surface", "vertex") and len(mine) > 1000
     for key in ("x", "y", "z", "gap_mm"):
         assert near([number(row[key]) for row in mine], [number(row[key]) for row in theirs]), key
-    smallest, verdicts = found["pose"]["smallest"], found["verdicts"]
+    smallest, verdicts = found["pose"]["smallest_gap"], found["verdicts"]
     assert [smallest[key] for key in ("surface", "vertex", "clock")] == [summary["smallest_gap"][key] for key in ("surface", "vertex", "clock")]
     assert near(smallest["gap_mm"], summary["smallest_gap"]["gap_mm"])
     bound = summary["error_bound"]

@@ -8,18 +8,17 @@
 #include <stdexcept>
 #include <string>
 
+#include "arrays.hpp"
 #include "catalogue.hpp"
-#include "change.hpp"
 #include "files/one_line.hpp"
 #include "joint/document.hpp"
-#include "joint/gaps.hpp"
 #include "joint/joint_files.hpp"
+#include "joint/limits.hpp"
 #include "joint/measures.hpp"
 #include "joint/proof.hpp"
 #include "joint/volume.hpp"
 #include "replies.hpp"
 #include "requests.hpp"
-#include "volume.hpp"
 
 namespace impinge {
 namespace {
@@ -71,8 +70,8 @@ val ask_points(const val& /*request*/) {
 
 val ask_pose(const val& request) {
   require_joint();
-  const PoseRequest pose = pose_request(request);
-  return pose_reply(*session().joint, pose, answer_pose(session(), pose));
+  const GapsAnswer found = answer_pose(session(), pose_request(request));
+  return pose_reply(*session().joint, found);
 }
 
 val ask_sweep(const val& request) {
@@ -80,8 +79,10 @@ val ask_sweep(const val& request) {
   const LimitRequest limits = limit_request(request);
   const double step_deg = step_request(request);
   const Sweep found = sweep(session(), limits, step_deg);
-  return sweep_reply(*session().joint, request["motion"].as<std::string>(), limits, found,
-                     answer_limits(session(), limits));
+  val reply = val_of(json_of(LimitsAnswer{kErrorOfInput, answer_limits(session(), limits)}));
+  reply.set("angles", float_array(found.angles));
+  reply.set("smallest", float_array(found.smallest));
+  return reply;
 }
 
 // A request that files/fields.hpp describes.
@@ -111,13 +112,13 @@ val ask_volume(const val& request) {
         "a page leaves 0.02 of all rotations open, or more; choose a width from 0.02 to 1");
   const VolumeAnswer found = answer(session(), asked, {.threads = 1});
   val reply = val_of(json_of(found));
-  add_states(found.volume, session().joint->side, reply);
+  add_arrays(*session().joint, found, reply);
   return reply;
 }
 
 val ask_export(const val& request) {
   require_joint();
-  const PoseAnswer found = answer_pose(session(), pose_request(request["pose"]));
+  const GapsAnswer found = answer_pose(session(), pose_request(request["pose"]));
   const SessionJoint& joint = *session().joint;
   const bool csv = request["format"].as<std::string>() == "csv";
   const bool ball = csv || request["surface"].as<std::string>() == "ball";

@@ -28,13 +28,6 @@ double step_of(std::string_view unit) {
   return unit == "mm" ? 0.1 : unit == "deg" ? 1.0 : unit == "h" ? 0.25 : 0.01;
 }
 
-val side_value(Side side) { return val(side == Side::left ? "left" : "right"); }
-
-val motion_value(const Motion& motion) {
-  return object(std::pair("flexion", motion.flexion), std::pair("abduction", motion.abduction),
-                std::pair("internal_rotation", motion.internal_rotation));
-}
-
 val preset_value(std::string_view name) {
   const HipParameters parameters = hip_preset(name);
   const bool patient = name.starts_with("patient_");
@@ -42,7 +35,7 @@ val preset_value(std::string_view name) {
       patient ? "Patient " + std::string(1, static_cast<char>(std::toupper(name.back()))) + " (stand-in)"
               : label_of(name);
   return object(std::pair("name", text(name)), std::pair("label", label),
-                std::pair("side", side_value(parameters.side)),
+                std::pair("side", text(word_of(parameters.side))),
                 std::pair("parameters", parameters_value(parameters)));
 }
 
@@ -67,7 +60,8 @@ std::string motion_label(const NamedMotion& motion) {
 
 val named_motion_value(const NamedMotion& motion) {
   return object(std::pair("name", text(motion.name)), std::pair("label", motion_label(motion)),
-                std::pair("start", motion_value(motion.start)), std::pair("growing", text(motion.growing)));
+                std::pair("start", val_of(json_of(motion.start))),
+                std::pair("growing", text(motion.growing)));
 }
 
 val recorded_value(const RecordedRange& range) {

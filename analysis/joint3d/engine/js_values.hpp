@@ -13,7 +13,6 @@
 
 #include <emscripten/bind.h>
 
-#include "hip/clock.hpp"
 #include "joint/document.hpp"
 #include "mesh/triangle_mesh.hpp"
 
@@ -61,10 +60,6 @@ inline val number_or_null(double value) { return std::isfinite(value) ? val(valu
 
 // Objects, lists, numbers and texts of JSON.
 inline val val_of(const Json& document) { return val::global("JSON").call<val>("parse", text_of(document)); }
-
-inline val clock_or_null(const std::optional<double>& hours) {
-  return hours ? val(clock_text(*hours)) : val::null();
-}
 
 // Of a list, each made by `make`.
 template <class Range, class Make>

@@ -114,14 +114,6 @@ template <class Range, class Value>
 auto lower_bound(Range&& range, const Value& value) {
   return std::lower_bound(std::begin(range), std::end(range), value);
 }
-template <class Range, class Value>
-bool binary_search(Range&& range, const Value& value) {
-  return std::binary_search(std::begin(range), std::end(range), value);
-}
-template <class One, class Other, class Same>
-bool equal(One&& one, Other&& other, Same same) {
-  return std::equal(std::begin(one), std::end(one), std::begin(other), std::end(other), std::ref(same));
-}
 template <class Range>
 auto min(Range&& range) {
   return *std::min_element(std::begin(range), std::end(range));

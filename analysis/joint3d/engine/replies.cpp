@@ -2,7 +2,6 @@
 #include "replies.hpp"
 
 #include "catalogue.hpp"
-#include "hip/gap_levels.hpp"
 #include "hip/rim_line.hpp"
 #include "requests.hpp"
 
@@ -45,49 +44,6 @@ val rim_value(const SessionJoint& joint) {
   return object(std::pair("positions", float_array(places)), std::pair("hours", float_array(hours)));
 }
 
-val zones_value(const std::vector<ClockZone>& zones) {
-  return list(zones, [](const ClockZone& zone) {
-    return object(std::pair("from", clock_text(zone.from)), std::pair("to", clock_text(zone.to)),
-                  std::pair("area_mm2", zone.area));
-  });
-}
-
-val impinged_value(const GapSummary& summary, const std::vector<ClockZone>& zones) {
-  return object(std::pair("vertices", static_cast<double>(summary.impinged)),
-                std::pair("area_mm2", summary.impinged_area), std::pair("clock_zones", zones_value(zones)));
-}
-
-val levels_value(Surface surface, double cartilage_mm) {
-  return list(gap_levels(surface, cartilage_mm), [](const GapLevel& level) {
-    return object(std::pair("up_to_mm", number_or_null(level.up_to_mm)),
-                  std::pair("meaning", text(level.meaning)),
-                  std::pair("rgb", list(level.colour, [](std::uint8_t c) { return val(int{c}); })));
-  });
-}
-
-val surface_value(const SurfaceAnswer& answer) {
-  return object(std::pair("bone", impinged_value(answer.bone, answer.bone_zones)),
-                std::pair("cartilage", impinged_value(answer.cartilage, answer.cartilage_zones)),
-                std::pair("met", static_cast<double>(answer.all.met)));
-}
-
-val smallest_value(const SessionJoint& joint, const std::optional<SmallestOfPose>& smallest) {
-  if (!smallest) return val::null();
-  return object(std::pair("gap_mm", smallest->gap_mm), std::pair("surface", text(name(smallest->surface))),
-                std::pair("vertex", static_cast<double>(smallest->vertex)),
-                std::pair("position", point(smallest->place + joint.joint.centre)),
-                std::pair("place", point(smallest->place)),
-                std::pair("clock", clock_or_null(smallest->hours)));
-}
-
-val histogram_value(const GapHistogram& ball, const GapHistogram& socket) {
-  std::vector<double> edges;
-  for (std::size_t k = 0; k <= ball.area.size(); ++k)
-    edges.push_back(ball.first + static_cast<double>(k) * ball.width);
-  return object(std::pair("edges", float_array(edges)), std::pair("ball", float_array(ball.area)),
-                std::pair("socket", float_array(socket.area)));
-}
-
 // As they stand in the socket, about whose centre a page draws.
 std::vector<float> in_socket(std::vector<float> points, const Vec3& shift) {
   for (std::size_t k = 0; k < points.size(); ++k)
@@ -103,12 +59,11 @@ val joint_reply(const SessionJoint& joint) {
       found.fit ? object(std::pair("residual_mm", found.fit->rms), std::pair("radius_mm", found.fit->radius),
                          std::pair("points", static_cast<double>(found.fit->points)))
                 : val::null();
-  const val side = joint.side ? val(*joint.side == Side::left ? "left" : "right") : val::null();
   const val rim = rim_value(joint);
   return object(std::pair("axes", found.axes), std::pair("ball", mesh_value(found.ball.mesh)),
                 std::pair("socket", mesh_value(found.socket.mesh)), std::pair("centre", point(found.centre)),
-                std::pair("fit", fit), std::pair("side", side), std::pair("rim_clock", rim["positions"]),
-                std::pair("rim_hours", rim["hours"]),
+                std::pair("fit", fit), std::pair("side", val_of(json_of(joint.side))),
+                std::pair("rim_clock", rim["positions"]), std::pair("rim_hours", rim["hours"]),
                 std::pair("to_joint_frame", matrix_value(joint.axes, Vec3::Zero())),
                 std::pair("parameters", joint.parameters ? parameters_value(*joint.parameters) : val::null()),
                 std::pair("warnings", list(found.warnings, [](const std::string& w) { return val(w); })),
@@ -119,7 +74,7 @@ val tables_reply(const SessionTables& tables) {
   const TableSettings& settings = tables.settings;
   const double bytes = static_cast<double>(tables.ball->bytes() + tables.socket->bytes());
   return object(std::pair("scheme", settings.scheme), std::pair("precision_deg", settings.precision_deg),
-                std::pair("storage", text(storage_name(settings.storage))),
+                std::pair("storage", text(kStorages[static_cast<std::size_t>(settings.storage)])),
                 std::pair("entries", static_cast<double>(tables.ball->entries())), std::pair("bytes", bytes),
                 std::pair("fill_ms", tables.fill_ms), std::pair("error_mm", or_null(tables.error_mm)));
 }
@@ -146,27 +101,13 @@ val verdicts_reply(const PoseVerdicts& found) {
       std::pair("measured", count(found.smallest.measured)));
 }
 
-val pose_reply(const SessionJoint& joint, const PoseRequest& request, const PoseAnswer& found) {
-  const double area = found.ball.bone.impinged_area + found.socket.bone.impinged_area;
-  const val colours =
-      object(std::pair("ball", levels_value(Surface::ball, request.cartilage_mm)),
-             std::pair("socket", levels_value(Surface::socket, request.cartilage_mm)),
-             std::pair("none", list(kNoGapColour, [](std::uint8_t c) { return val(int{c}); })));
-  return object(std::pair("ball_gap", float_array(found.ball.gap)),
-                std::pair("socket_gap", float_array(found.socket.gap)),
-                std::pair("matrix", matrix_value(found.pose.rotation, found.pose.translation)),
-                std::pair("ms", found.scan_ms), std::pair("smallest", smallest_value(joint, found.smallest)),
-                std::pair("ball", surface_value(found.ball)),
-                std::pair("socket", surface_value(found.socket)), std::pair("impinged_area_mm2", area),
-                std::pair("histogram", histogram_value(found.ball.histogram, found.socket.histogram)),
-                std::pair("colours", colours));
-}
-
-val sweep_reply(const SessionJoint& joint, const std::string& motion, const LimitRequest& request,
-                const Sweep& found, const LimitAnswers& limits) {
-  val reply = val_of(json_of(LimitsAnswer{kErrorOfInput, documents_of(joint, motion, request, limits)}));
-  reply.set("angles", float_array(found.angles));
-  reply.set("smallest", float_array(found.smallest));
+val pose_reply(const SessionJoint& joint, const GapsAnswer& found) {
+  val reply = val_of(json_of(found));
+  reply.set("ball_gap", float_array(found.ball.gap));
+  reply.set("socket_gap", float_array(found.socket.gap));
+  reply.set("matrix", matrix_value(found.pose.rotation, found.pose.translation));
+  reply.set("ms", found.scan_ms);
+  if (const auto& gap = found.smallest_gap) reply.set("place", point(gap->position - joint.joint.centre));
   return reply;
 }
 

@@ -2,7 +2,6 @@
 #include "requests.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <stdexcept>
 
@@ -12,14 +11,6 @@
 
 namespace impinge {
 namespace {
-
-struct StorageName {
-  std::string_view name;
-  Storage storage;
-};
-constexpr std::array kStorages{StorageName{"uint16", Storage::sixteen_bits},
-                               StorageName{"float", Storage::single_precision},
-                               StorageName{"double", Storage::double_precision}};
 
 constexpr double kFinest = 0.2;  // degrees: 1.2 million entries and more a table
 
@@ -99,11 +90,6 @@ AxesChoice axes_request(const val& request) {
   return agreed_axes(ball, said_axes(request["socket"]), given, "the field Axes");
 }
 
-std::string_view storage_name(Storage storage) {
-  return std::ranges::find_if(kStorages, [storage](const StorageName& s) { return s.storage == storage; })
-      ->name;
-}
-
 TableSettings table_request(const val& request) {
   TableSettings settings;
   if (is_given(request["scheme"])) settings.scheme = request["scheme"].as<std::string>();
@@ -112,11 +98,10 @@ TableSettings table_request(const val& request) {
     throw std::invalid_argument("a page keeps no tables finer than 0.2 degrees; choose a coarser precision");
   if (!is_given(request["storage"])) return settings;
   const auto name = request["storage"].as<std::string>();
-  const auto found =
-      std::ranges::find_if(kStorages, [&name](const StorageName& s) { return s.name == name; });
+  const auto found = std::find(kStorages.begin(), kStorages.end(), name);
   if (found == kStorages.end())
     throw std::invalid_argument("unknown storage '" + name + "'; there are uint16, float, double");
-  settings.storage = found->storage;
+  settings.storage = static_cast<Storage>(found - kStorages.begin());
   return settings;
 }
 

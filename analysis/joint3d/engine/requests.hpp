@@ -2,7 +2,11 @@
 // Requests of the page as the session takes them. std::invalid_argument, one line, for what is not there.
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "joint/limits.hpp"
+#include "joint/pose_answer.hpp"
 #include "js_values.hpp"
 #include "mesh/declared_axes.hpp"
 
@@ -16,7 +20,7 @@ PoseRequest pose_request(const val& request);
 LimitRequest limit_request(const val& request);
 double step_request(const val& request);  // of a sweep, degrees
 
-// "uint16", "float" or "double".
-std::string_view storage_name(Storage storage);
+// In the order of Storage.
+inline constexpr std::array<std::string_view, 3> kStorages{"double", "float", "uint16"};
 
 }  // namespace impinge

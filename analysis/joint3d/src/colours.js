@@ -16,8 +16,8 @@ function ramp(share) {
 
 /** A colour of a gap in mm, [red, green, blue] to 255. levels: those of the surface, from the library. */
 export function colourOf(gap, scale, surface, levels) {
-  if (scale === "levels") return (levels.find((level) => level.up_to_mm === null || gap <= level.up_to_mm) ?? levels.at(-1)).rgb;
-  const cartilage = levels.at(-2).up_to_mm;
+  if (scale === "levels") return (levels.find((level) => level.up_to === null || gap <= level.up_to) ?? levels.at(-1)).rgb;
+  const cartilage = levels.at(-2).up_to;
   if (gap > cartilage) return BEYOND[surface];
   return cartilage > 0 ? ramp(gap / cartilage) : RAMP[0];
 }
@@ -38,11 +38,11 @@ export const css = (rgb) => `rgb(${rgb.join(" ")})`;
 /** Rows of the legend: { colours, text }, of one colour or several of a gradient, from contact outwards. */
 export function legendRows(scale, colours) {
   const [ball, socket] = [colours.ball, colours.socket];
-  const limit = ball.at(-2).up_to_mm;
+  const limit = ball.at(-2).up_to;
   const rows = [];
   if (scale === "levels") {
     ball.slice(0, -1).forEach((level, k) => rows.push({
-      colours: [css(level.rgb)], text: k ? `${mm(ball[k - 1].up_to_mm)} to ${mm(level.up_to_mm)} mm` : "bones touch or overlap" }));
+      colours: [css(level.rgb)], text: k ? `${mm(ball[k - 1].up_to)} to ${mm(level.up_to)} mm` : "bones touch or overlap" }));
   } else {
     rows.push({ colours: [css(RAMP[0])], text: "bones touch or overlap" });
     if (limit > 0) rows.push({ colours: RAMP.map(css), text: `0 to ${mm(limit)} mm` });
@@ -50,6 +50,6 @@ export function legendRows(scale, colours) {
   const beyond = (surface, levels) => css(scale === "levels" ? levels.at(-1).rgb : BEYOND[surface]);
   rows.push({ colours: [beyond("ball", ball)], text: `ball, over ${mm(limit)} mm` });
   rows.push({ colours: [beyond("socket", socket)], text: `socket, over ${mm(limit)} mm` });
-  rows.push({ colours: [css(colours.none)], text: "no surface opposite" });
+  rows.push({ colours: [css(colours.no_gap_rgb)], text: "no surface opposite" });
   return rows;
 }

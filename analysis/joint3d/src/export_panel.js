@@ -27,13 +27,14 @@ const titled = (name, { side }) => `${name}, ${side ?? "side unknown"}`;
 function metadata(app, joint, pose, tables) {
   const { motion, offset, cartilage } = app.state;
   const { label, ball, socket, ...given } = app.own ?? {};
+  const gap = pose.smallest_gap;
   const own = app.state.joint.name === OWN;
   return {
     program: `impinge ${about("version")}`, commit: about("commit"), made: new Date().toISOString(), columns: COLUMNS,
     joint: own ? { ball: ball.name, socket: socket.name, ...given } : { preset: app.state.joint.name, parameters: joint.parameters },
     side: joint.side, axes: joint.axes, centre_mm: joint.centre, fit: joint.fit, warnings: joint.warnings,
     pose_deg: motion, shift_mm_right_forward_up: offset, matrix_column_by_column: [...pose.matrix], cartilage_mm: cartilage,
-    tables, smallest_gap: pose.smallest,
+    tables, smallest_gap: gap && { gap_mm: gap.gap_mm, surface: gap.surface, vertex: gap.vertex, position: gap.position, place: pose.place, clock: gap.clock },
   };
 }
 
@@ -56,7 +57,7 @@ export class ExportPanel {
 
   async picture() {
     const { name, joint, pose } = this.shown();
-    const lines = [poseWords(this.app.state), gapWords(pose.smallest), `Gaps are radial. Joint3D of impinge ${about("version")}, ${about("commit").slice(0, 12)}: research software, no medical device.`];
+    const lines = [poseWords(this.app.state), gapWords(pose.smallest_gap), `Gaps are radial. Joint3D of impinge ${about("version")}, ${about("commit").slice(0, 12)}: research software, no medical device.`];
     const { isCut, cut } = this.view.parts;
     if (isCut) lines.splice(2, 0, `The femur after a cut for ${this.app.state.required}; the gap is that before it.`);
     const rows = [...(isCut ? cutRows(cut.deepest) : []), ...legendRows(this.app.state.look.colours, pose.colours)];

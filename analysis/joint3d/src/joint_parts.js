@@ -82,16 +82,16 @@ export class JointParts {
     this.ball.setGaps(pose.ball_gap);
     this.socket.setGaps(pose.socket_gap);
     this.setColours(pose.colours, scale);
-    this.met = Boolean(pose.smallest);
+    this.met = Boolean(pose.smallest_gap);
     this.nearest.visible = this.met && this.marked;
-    if (this.met) this.nearest.position.fromArray(pose.smallest.place);
+    if (this.met) this.nearest.position.fromArray(pose.place);
   }
 
   setColours(colours, scale) {
     const key = JSON.stringify([colours, scale]);
     if (key === this.colourKey) return;
     this.colourKey = key;
-    SURFACES.forEach((part) => this[part].setColours(scale, colours[part], colours.none));
+    SURFACES.forEach((part) => this[part].setColours(scale, colours[part], colours.no_gap_rgb));
   }
 
   /** look: drawing, and which parts are shown. */

@@ -45,9 +45,10 @@ export function mapLabels(height, { x, y, xs, ys, xTitle, yTitle }) {
     drawn("text", { class: "title middle", transform: `translate(10 ${middle}) rotate(-90)` }, yTitle)];
 }
 
-/** histogram and colours: of the library's reply to `pose`. */
-export function drawHistogram(svg, { histogram, colours }, colourScale) {
-  const { edges, ball, socket } = histogram;
+/** gap_histogram and colours: of the library's reply to `pose`. */
+export function drawHistogram(svg, { gap_histogram: bins, colours }, colourScale) {
+  const [ball, socket] = [bins.ball.area_mm2, bins.socket.area_mm2];
+  const edges = [...ball, 0].map((_, k) => bins.first_mm + k * bins.bin_mm);
   const shown = [...edges.keys()].filter((k) => k < ball.length && edges[k] >= -3 && edges[k] < 12);
   const most = Math.max(1, ...shown.map((k) => ball[k] + socket[k]));
   const x = scale(-3, 12, AREA.left, WIDTH - AREA.right);

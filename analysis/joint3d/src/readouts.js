@@ -5,8 +5,8 @@ import { byId, put } from "./elements.js";
 const SPOKEN = 1200; // ms of rest before a screen reader is told
 
 const area = (mm2) => `${mm2 < 10 ? mm2.toFixed(1) : Math.round(mm2)} mm²`;
-const zone = ({ from, to }) => (from === to ? "all round" : `${from} to ${to}`);
-const zones = (list) => (list.length ? list.slice(0, 3).map(zone).join(", ") : "–");
+const zone = ({ clock_from: from, clock_to: to }) => (from === to ? "all round" : `${from} to ${to}`);
+const zones = (list) => (list?.length ? list.slice(0, 3).map(zone).join(", ") : "–");
 const signed = (gap) => gap.toFixed(2).replace("-", "−");
 
 /** The smallest gap of the library's reply to `pose`, in a line. */
@@ -20,17 +20,19 @@ let timer = 0;
 
 /** pose: the library's reply; took: ms from asking to the answer. */
 export function showReadouts(pose, took) {
-  const { smallest, ball, socket } = pose;
+  const { smallest_gap: smallest, impingement } = pose;
+  const [bone, cartilage] = [impingement.at(0), impingement.at(-1)];
+  const both = ({ ball, socket }) => area(ball.area_mm2 + socket.area_mm2);
   put("smallest-gap", smallest ? signed(smallest.gap_mm) : "–");
   put("smallest-where", smallest ? whereIs(smallest) : "the surfaces do not face each other");
   put("stage-gap", smallest ? `${signed(smallest.gap_mm)} mm` : "no gap");
   byId("stage-state").textContent = smallest && smallest.gap_mm <= 0 ? "bones overlap" : "smallest gap";
   byId("stage-readout").classList.toggle("impinged", Boolean(smallest && smallest.gap_mm <= 0));
-  put("bone-area", area(pose.impinged_area_mm2));
-  put("bone-clock", zones(socket.bone.clock_zones));
-  put("cartilage-area", area(ball.cartilage.area_mm2 + socket.cartilage.area_mm2));
-  put("cartilage-clock", zones(socket.cartilage.clock_zones));
-  put("met", `${(ball.met + socket.met).toLocaleString("en")} of ${(pose.ball_gap.length + pose.socket_gap.length).toLocaleString("en")}`);
+  put("bone-area", both(bone));
+  put("bone-clock", zones(bone.socket.clock_zones));
+  put("cartilage-area", both(cartilage));
+  put("cartilage-clock", zones(cartilage.socket.clock_zones));
+  put("met", `${pose.vertices_with_gap.reduce((sum, each) => sum + each).toLocaleString("en")} of ${(pose.ball_gap.length + pose.socket_gap.length).toLocaleString("en")}`);
   put("scan-ms", `${pose.ms.toFixed(2)} ms`);
   put("round-ms", `${took.toFixed(1)} ms`);
   clearTimeout(timer);

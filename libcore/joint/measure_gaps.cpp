@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "joint/measurement.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +9,10 @@
 #include "contact/euclidean_distance.hpp"
 #include "files/formatted.hpp"
 #include "files/memory.hpp"
-#include "files/stopwatch.hpp"
 #include "files/thread_team.hpp"
 #include "gap/measured_gap.hpp"
 #include "gap/overlay.hpp"
+#include "joint/pose_answer.hpp"
 #include "sphere/radial_table.hpp"
 #include "sphere/scheme_choice.hpp"
 
@@ -40,8 +39,8 @@ void require_memory(std::size_t entries, double precision_deg, double bytes_an_e
 }
 
 // A table that keeps few entries still has a directory of all of them.
-AnyScheme partly_kept(const PoseQuestion& asked) {
-  AnyScheme scheme(asked.scheme, *asked.precision_deg);
+AnyScheme partly_kept(const GapsRequest& asked) {
+  AnyScheme scheme(asked.scheme_name(), asked.precision());
   require_memory(scheme.size(), scheme.precision_deg(), 4.0 / 4096.0, "more than ");
   return scheme;
 }
@@ -50,59 +49,51 @@ BallSocketPair meshes_of(const SessionJoint& joint) {
   return {joint.mesh(Surface::ball), joint.mesh(Surface::socket)};
 }
 
-SceneNeeds needs_of(const PoseQuestion& asked, const Pose& pose) {
-  return {Question::all_gaps, asked.scan_ball, asked.scan_socket, {pose}};
+SceneNeeds needs_of(const GapsRequest& asked, const Pose& pose) {
+  return {Question::all_gaps, asked.scans(Surface::ball), asked.scans(Surface::socket), {pose}};
 }
 
-Measurement by_whole_tables(Session& session, const PoseQuestion& asked) {
+GapsAnswer by_whole_tables(Session& session, const GapsRequest& asked) {
   double precision_deg = 0.0;
-  with_scheme(asked.scheme, [&]<class S>() {
+  with_scheme(asked.scheme_name(), [&]<class S>() {
     constexpr double kEntry = sizeof(double) + sizeof(float);  // radius and slope
-    const S scheme = S::with_precision(*asked.precision_deg);
+    const S scheme = S::with_precision(asked.precision());
     precision_deg = scheme.precision_deg();
-    require_memory(scheme.size(), *asked.precision_deg, kEntry, "");
+    require_memory(scheme.size(), asked.precision(), kEntry, "");
   });
-  fill_tables(session, {.scheme = asked.scheme,
-                        .precision_deg = *asked.precision_deg,
+  fill_tables(session, {.scheme = asked.scheme_name(),
+                        .precision_deg = asked.precision(),
                         .storage = Storage::double_precision,
                         .flat_cube = false,
                         .halvings = 1'000'000});
-  Measurement result;
-  static_cast<PoseAnswer&>(result) = answer_pose(session, {asked.motion, Vec3::Zero(), asked.cartilage_mm});
+  GapsAnswer result = answer_pose(session, {asked.pose, Vec3::Zero(), asked.cartilage_mm});
   result.way = kWholeTables;
   result.precision_deg = precision_deg;
-  result.entries = session.tables.ball->entries();
-  result.bytes = 2 * result.entries * sizeof(double);
-  result.fill_ms = session.tables.fill_ms;
-  Stopwatch watch;
+  result.entries_per_table = session.tables.ball->entries();
+  result.table_bytes = 2 * result.entries_per_table * sizeof(double);
   bound_gaps(session, result);
-  result.bound_ms = watch.lap_ms();
   return result;
 }
 
 // The gaps of an answer, with all that follows from them.
-Measurement measurement_of(const SessionJoint& joint, const PoseQuestion& asked, const Pose& pose,
-                           SceneAnswer answer, double scan_ms) {
-  PoseGaps& gaps = answer.gaps.front();
-  Measurement result;
-  static_cast<PoseAnswer&>(result) =
-      answer_of_gaps(joint, pose, std::move(gaps[0]), std::move(gaps[1]), asked.cartilage_mm);
-  result.scan_ms = scan_ms;
-  result.left_out = std::move(answer.left_out);
+GapsAnswer answer_of_scene(const SessionJoint& joint, const GapsRequest& asked, const Pose& pose,
+                           SceneAnswer scene) {
+  PoseGaps& gaps = scene.gaps.front();
+  GapsAnswer result = answer_of_gaps(joint, pose, std::move(gaps[0]), std::move(gaps[1]), asked.cartilage_mm);
+  result.left_out = std::move(scene.left_out);
   return result;
 }
 
-Measurement by_partial_tables(const SessionJoint& joint, const PoseQuestion& asked) {
-  Stopwatch watch;
-  const Pose pose = pose_of(joint, asked.motion);
+GapsAnswer by_partial_tables(const SessionJoint& joint, const GapsRequest& asked) {
+  const Pose pose = pose_of(joint, asked.pose);
   const AnyScheme scheme = partly_kept(asked);
-  SceneAnswer answer = answer_by_table(meshes_of(joint), needs_of(asked, pose), scheme);
-  const std::size_t bytes = answer.bytes;
-  Measurement result = measurement_of(joint, asked, pose, std::move(answer), watch.lap_ms());
-  result.bytes = bytes;
+  SceneAnswer scene = answer_by_table(meshes_of(joint), needs_of(asked, pose), scheme);
+  const std::size_t bytes = scene.bytes;
+  GapsAnswer result = answer_of_scene(joint, asked, pose, std::move(scene));
+  result.table_bytes = bytes;
   result.way = kPartialTables;
   result.precision_deg = scheme.precision_deg();
-  result.entries = scheme.size();
+  result.entries_per_table = scheme.size();
   return result;
 }
 
@@ -120,7 +111,7 @@ double likely_gap(Surface of, const NearFaces& faces, const Vec3& x, const Certi
 using VertexBounds = std::array<std::vector<double>, 2>;
 
 // Measures gaps on the faces, and their bounds. std::runtime_error where a bound is above what was promised.
-SceneAnswer answer_of_faces(SessionJoint& joint, const PoseQuestion& asked, const Pose& pose,
+SceneAnswer answer_of_faces(SessionJoint& joint, const GapsRequest& asked, const Pose& pose,
                             VertexBounds& bounds) {
   const SceneNeeds needs = needs_of(asked, pose);
   FacesMet faces{};
@@ -146,48 +137,38 @@ SceneAnswer answer_of_faces(SessionJoint& joint, const PoseQuestion& asked, cons
   });
 }
 
-Measurement by_faces(SessionJoint& joint, const PoseQuestion& asked) {
-  Stopwatch watch;
-  const Pose pose = pose_of(joint, asked.motion);
+GapsAnswer by_faces(SessionJoint& joint, const GapsRequest& asked) {
+  const Pose pose = pose_of(joint, asked.pose);
   VertexBounds bounds;
-  SceneAnswer answer = answer_of_faces(joint, asked, pose, bounds);
-  Measurement result = measurement_of(joint, asked, pose, std::move(answer), watch.lap_ms());
+  SceneAnswer scene = answer_of_faces(joint, asked, pose, bounds);
+  GapsAnswer result = answer_of_scene(joint, asked, pose, std::move(scene));
   result.way = kFaces;
-  if (!asked.outputs.need_bounds()) return result;
+  if (!asked.asks_bounds()) return result;
   result.ball.bound = std::move(bounds[0]);
   result.socket.bound = std::move(bounds[1]);
   return result;
 }
 
 // They are those of the meshes, whatever the table.
-void measure_distances(const SessionJoint& joint, Measurement& result) {
-  Stopwatch watch;
+void measure_distances(const SessionJoint& joint, GapsAnswer& result) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
     const Surface of = kSurfaces[k];
     const EuclideanDistance distance(joint.mesh(other(of)));
     for (const Vec3& x : places_in_other(joint, result.pose, of))
       result.of(of).distance.push_back(distance.at(x));
   });
-  result.distance_ms = watch.lap_ms();
-}
-
-// About the centre that it is seen from.
-Session without_parts(const SessionJoint& joint) {
-  Session alone(impinge::without_parts(joint.joint), joint.side, joint.joint.axes);
-  alone.joint->shift_to(joint.shift);
-  return alone;
 }
 
 // Of the main surfaces.
-Measurement measure_main(Session& session, const PoseQuestion& asked) {
+GapsAnswer measure_main(Session& session, const GapsRequest& asked) {
   SessionJoint& joint = *session.joint;
-  const bool bounds = asked.outputs.need_bounds();
-  Measurement result = !asked.by_tables() ? by_faces(joint, asked)
-                       : bounds           ? by_whole_tables(session, asked)
-                                          : by_partial_tables(joint, asked);
-  if (bounds) result.proven = verdicts_of(joint, result);
-  if (asked.outputs.verdicts) {
-    result.certificate =
+  const bool bounds = asked.asks_bounds();
+  GapsAnswer result = !asked.by_tables() ? by_faces(joint, asked)
+                      : bounds           ? by_whole_tables(session, asked)
+                                         : by_partial_tables(joint, asked);
+  if (bounds) result.error_bound = verdicts_of(joint, result);
+  if (asked.asks(Output::verdicts)) {
+    result.radial_overlap =
         certify({joint.mesh(Surface::ball), joint.mesh(Surface::socket)}, result.pose,
                 {result.ball.gap, result.ball.bound}, {result.socket.gap, result.socket.bound});
   }
@@ -195,29 +176,53 @@ Measurement measure_main(Session& session, const PoseQuestion& asked) {
 }
 
 // Vertices of parts lie behind those of the main surface.
-Measurement measure_with_parts(Session& session, const PoseQuestion& asked) {
+GapsAnswer measure_with_parts(Session& session, const GapsRequest& asked) {
   SessionJoint& joint = *session.joint;
-  Session alone = without_parts(joint);
+  Session alone(without_parts(joint.joint), joint.side, joint.joint.axes);
+  alone.joint->shift_to(joint.shift);  // about the centre that it is seen from
   alone.tables.settings = session.tables.settings;
-  Measurement result = measure_main(alone, asked);
+  GapsAnswer result = measure_main(alone, asked);
   for (const Surface of : kSurfaces) {
     SurfaceAnswer& answer = result.of(of);
     for (std::vector<double>* values : {&answer.gap, &answer.bound, &answer.against_cartilage}) {
       if (!values->empty()) values->resize(joint.mesh(of).vertices.size(), kNoSurface);
     }
   }
-  result.part = nearest_part(joint, result.pose);
+  result.nearest_part = nearest_part(joint, result.pose);
   return result;
+}
+
+void say_what_is_left_out(const Joint& joint, const GapsRequest& asked, std::vector<LeftOut>& left_out) {
+  const auto add = [&](const char* what, const char* meaning, const char* reason) {
+    left_out.push_back({what, meaning, reason});
+  };
+  constexpr const char* kNotAsked = "not asked for";
+  if (!asked.asks_bounds()) add("error_bounds", "no bounds of single gaps", kNotAsked);
+  if (!asked.asks(Output::distances)) add("distances", "no Euclidean distances", kNotAsked);
+  if (!asked.asks(Output::verdicts)) add("exact_verdicts", "no exact verdicts", kNotAsked);
+  if (joint.ball.star_shape.edge_on + joint.socket.star_shape.edge_on > 0)
+    add("edge_on_faces", "faces whose plane holds the centre: they cover no direction", "");
 }
 
 }  // namespace
 
-Measurement measure(Session& session, const PoseQuestion& asked) {
-  Measurement result =
-      session.joint->joint.has_parts() ? measure_with_parts(session, asked) : measure_main(session, asked);
-  if (asked.outputs.verdicts) result.contact = session.joint->bodies().verdict(result.pose);
-  if (asked.outputs.distances) measure_distances(*session.joint, result);
-  for (LeftOut& output : left_out_of(asked.outputs)) result.left_out.push_back(std::move(output));
+GapsAnswer answer(Session& session, const GapsRequest& request) {
+  request.check();
+  SessionJoint& joint = *session.joint;
+  GapsAnswer result =
+      joint.joint.has_parts() ? measure_with_parts(session, request) : measure_main(session, request);
+  if (request.asks(Output::verdicts))
+    result.contact = contact_of(joint.joint, joint.bodies().verdict(result.pose));
+  if (request.asks(Output::distances)) measure_distances(joint, result);
+  if (auto& smallest = result.smallest_gap) {
+    const SurfaceAnswer& of = result.of(smallest->surface);
+    if (!of.bound.empty()) smallest->error_bound_mm = of.bound[smallest->vertex];
+    if (!of.distance.empty()) {
+      const DistanceBracket& distance = of.distance[smallest->vertex];
+      smallest->euclidean_distance_mm = {distance.lower_mm, distance.upper_mm};
+    }
+  }
+  say_what_is_left_out(joint.joint, request, result.left_out);
   return result;
 }
 
