@@ -231,13 +231,14 @@ def order_row(times: Times, name: str, columns: list[str]) -> dict:
 def growth_row(times: Times, column: str) -> dict:
     """How the times of a method grow, where both have one; beside it in the note, our other ways to do the same."""
     known = [key for key, name in times.thesis if name == column and math.isfinite(times.thesis[key, column])]
-    choices = [choice for choice in times.choices(known, [column]) if not any(way[column].extrapolated for way in choice)]
-    keys = known
-    sizes = pd.Series([1 / key if times.table.key == "precision_deg" else key for key in keys])
-    theirs = log_plot.slope(sizes, pd.Series([times.thesis[key, column] for key in keys]))
+    choices = times.choices(known, [column])
+    scaled = any(way[column].extrapolated for way in choices[0])
+    choices = [choice for choice in choices if not any(way[column].extrapolated for way in choice)]
+    sizes = pd.Series([1 / key if times.table.key == "precision_deg" else key for key in known])
+    theirs = log_plot.slope(sizes, pd.Series([times.thesis[key, column] for key in known]))
     shared = {"thesis": f"{theirs:.2f}", "unit": "exponent", "tolerance": f"{MOST_OFF}",
               "rule": f"power of {what_grows(times.table)} that fits the times, as near as n to n^1.25; all of its range"}
-    if not choices:
+    if scaled:
         return row(times.table.artefact, "growth", column, **shared, verdict="not-comparable",
                    note="ours are scaled by the number of tests, of which the power follows by itself")
     found = {}
