@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  How large is the table of each scheme at each precision, and how much memory does filling it
-// take? (Tables 2, 6 and 7)
+// @question  How large is the table of each scheme, and what does filling it take at its peak? (Tables 2, 6, 7)
 // @writes    lut_memory fill_memory
 // @timing    no
 // @seconds   20 20
-// @links     harness table methods
+// @links     harness table gap thesis_forms
 //
 // Every table is really made and filled with a surface that has a rim. Its bytes are those of its radii, and
 // those of its rim mask beside them; the allocator is asked whether it handed out more. While a table is

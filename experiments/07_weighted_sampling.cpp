@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  How well does the thesis' weighted sampling (Eq. 16) sample an acetabular cap, beside the grid,
-// the helix and equal areas?
+// @question  How well does the thesis' weighted sampling (Eq. 16) sample an acetabular cap?
 // @writes    weighted_sampling weighted_sampling_samples
 // @bones     yes
 // @timing    yes
