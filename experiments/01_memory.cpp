@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  How large is the table of each scheme, and what does filling it take at its peak? (Tables 2, 6, 7)
+// @question  How large is the table of each scheme, and what does filling it take? (Tables 2, 6, 7)
 // @writes    lut_memory fill_memory
 // @timing    no
 // @seconds   20 20
