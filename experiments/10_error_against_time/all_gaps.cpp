@@ -11,6 +11,7 @@
 #include "files/stopwatch.hpp"
 #include "methods/benchmark_scene.hpp"
 #include "methods/instruction_set.hpp"
+#include "reference/exact_radius.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -19,6 +20,7 @@ constexpr std::size_t kKernelQuestions = 1 << 20;  // vertices of one run, about
 constexpr std::size_t kOtherQuestions = 1 << 17;
 constexpr std::size_t kFewQuestions = 1 << 10;
 constexpr std::size_t kAlone = 256;  // vertices that are asked alone
+constexpr int kComparedTurns = 12;   // poses in which all gaps are compared: up to 55 degrees
 constexpr int kThreads = 2;
 constexpr double kDistance = 25.0;       // mm, of the probes, in float: as far as the joint space is
 constexpr double kMostError = 1.0;       // mm, of 99 of 100 probes, by the coarsest table here
@@ -31,6 +33,8 @@ struct Examined {
   double build_s = 0.0;  // of the query, the first time
   BenchmarkErrors errors;
   MethodBound bound;
+  double scan_mm = 0.0;          // largest error of a gap in the poses of a motion
+  std::size_t scan_missing = 0;  // gaps there without an answer, though the surface is met
 };
 
 // Some of the points, evenly through all of them.
@@ -54,6 +58,7 @@ struct Direction {
   AskedPoints few;
   BenchmarkProbes radial;
   BenchmarkProbes euclidean;
+  std::vector<std::vector<double>> exact;  // gaps of all vertices in some poses of the motion, by CGAL, mm
 
   Direction(const BenchmarkScene& of, Surface scanned, const BenchmarkOptions& options)
       : scene(of),
@@ -61,7 +66,15 @@ struct Direction {
         all(mesh_of(of.pair, scanned).vertices),
         few(few_of(all.points)),
         radial(radial_probes(surface.mesh, surface.layer, in_float(options.radial))),
-        euclidean(euclidean_probes(surface.mesh, kDistance, options.euclidean)) {}
+        euclidean(euclidean_probes(surface.mesh, kDistance, options.euclidean)) {
+    for (int turn = 0; turn < kComparedTurns; ++turn) {
+      std::vector<Vec3> moved;
+      for (const Vec3& x : all.points) moved.push_back(to_other(scanned, motion_pose(of.axis, turn), x));
+      exact.push_back(exact_radii(surface.mesh, {moved, surface.layer, {}}));
+      for (std::size_t i = 0; i < moved.size(); ++i)
+        exact.back()[i] = signed_gap(scanned, exact.back()[i], moved[i].norm());
+    }
+  }
 
   std::string name() const { return scanned_ball() ? "ball->socket" : "socket->ball"; }
   bool scanned_ball() const { return surface.scanned == Surface::ball; }
@@ -91,8 +104,22 @@ void require_good(const Examined& found, const Direction& direction) {
                            " false hits: its time means nothing until its answers are right");
 }
 
+// What the scans themselves are off by.
+void compare_scans(Examined& found, const Direction& direction) {
+  GapScratch scratch;
+  for (std::size_t turn = 0; turn < direction.exact.size(); ++turn) {
+    found.query->scan(direction.all, motion_pose(direction.scene.axis, static_cast<int>(turn)), scratch);
+    for (std::size_t i = 0; i < direction.all.points.size(); ++i) {
+      const double exact = direction.exact[turn][i];
+      const double error = std::abs(scratch.gap(i) - exact);
+      if (error > found.scan_mm) found.scan_mm = error;  // a NaN is not larger
+      found.scan_missing += !std::isnan(exact) && std::isnan(error) ? 1U : 0U;
+    }
+  }
+}
+
 Examined examine(const GapCase& method, const Direction& direction, const AscentOptions& ascent) {
-  Examined found{method, {}, 0.0, {}, {}};
+  Examined found{method, {}, 0.0, {}, {}, 0.0, 0};
   Stopwatch watch;
   found.query = std::make_shared<const GapQuery>(method.make());
   found.build_s = watch.lap_s();
@@ -100,6 +127,7 @@ Examined examine(const GapCase& method, const Direction& direction, const Ascent
   const bool radial = found.query->measure == Measure::radial;
   found.errors = measure_errors(radii_by(*found.query, direction.surface.scanned),
                                 radial ? direction.radial : direction.euclidean, ascent);
+  if (radial) compare_scans(found, direction);
   if (method.bound) found.bound.bound_mm = method.bound();
   require_good(found, direction);
   require_bound(found.errors, found.bound, {direction.scene.name, method.name, method.setting});
@@ -142,12 +170,13 @@ std::function<void()> one_after_one(const Work& work) {
   const std::vector<Vec3>& points = work.asked.points;
   for (std::size_t k = 0; k < kAlone; ++k)
     alone->emplace_back(std::vector{points[k * points.size() / kAlone]});
+  std::vector<Pose> poses;
+  for (int turn = 0; turn < static_cast<int>(kAlone); ++turn) poses.push_back(motion_pose(work.axis, turn));
   auto scratch = std::make_shared<GapScratch>();
-  return [work, alone, scratch] {
+  return [work, alone, poses = std::move(poses), scratch] {
     use_instruction_set(work.instruction_set);
-    int turn = 0;
-    for (const AskedPoints& one : *alone) {
-      work.query->scan(one, motion_pose(work.axis, turn++), *scratch);
+    for (std::size_t k = 0; k < kAlone; ++k) {
+      work.query->scan((*alone)[k], poses[k], *scratch);
       benchmark::ClobberMemory();
     }
   };
@@ -249,7 +278,8 @@ void add_rows(Table& table, const Asking& asking, const TimingRun& run) {
                 kNanoseconds * timing.summary.iqr, timing.summary.count, name_of(of.query->measure),
                 microns(errors.max_over), microns(errors.max_under), microns(errors.rms), microns(errors.p99),
                 std::isfinite(of.bound.bound_mm) ? Cell(kMicrometres * of.bound.bound_mm) : Cell(),
-                errors.misses, errors.false_hits, errors.directions, of.query->bytes, place.vertices});
+                errors.misses, errors.false_hits, errors.directions, of.query->bytes, place.vertices,
+                of.query->measure == Measure::radial ? microns(of.scan_mm) : Cell(), of.scan_missing});
     table.add_row(std::move(row));
   }
 }
@@ -296,7 +326,10 @@ QuestionTable make_gap_table() {
        {"false_hits", "1", "directions with an answer where there is no surface"},
        {"directions", "1", "in which the error was looked at"},
        {"bytes", "B", "of table and mask, or of a library's tree"},
-       {"vertices", "1", "of the surface that is looked up: a pose takes so many times ns_vertex"}});
+       {"vertices", "1", "of the surface that is looked up: a pose takes so many times ns_vertex"},
+       {"scan_um", "um",
+        "largest error of the gaps of all vertices in 12 poses, 0 to 55 degrees of the motion, against CGAL"},
+       {"scan_missing", "1", "of these gaps, those without an answer where the surface is met"}});
 }
 
 void run_all_gaps(const BenchmarkScene& scene, const GapPlan& plan, const BenchmarkOptions& options,

@@ -186,7 +186,7 @@ void add_cases(const ContactStage& stage, const MotionGap& gap, const BenchmarkO
     const auto error = compared.largest.find(made.method.name);
     if (error != compared.largest.end()) added.error_mm = error->second;
     added.own_mm = compared.own;
-    asking.asked.push_back(std::move(added));
+    asking.asked.push_back(added);
     TimedCase timed;
     timed.key = key_of(stage, made, gap.name);
     timed.units = static_cast<double>(judged.poses.size());

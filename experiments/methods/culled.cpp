@@ -2,9 +2,9 @@
 // @can     contact
 // @links   contact
 //
-// Touch and smallest gap without asking most vertices or faces. culled_faces: touch of the surfaces, edges
-// and all, as `impinge touch` answers it; culled: of the vertices; culled_least_gap: smallest gap of a
-// vertex.
+// Overlap and smallest gap without asking most vertices or faces. culled_faces: radial overlap of the
+// surfaces, edges and all, the filter of `impinge touch`; culled: of the vertices; culled_least_gap: smallest
+// gap of a vertex.
 
 #include <memory>
 
@@ -45,7 +45,7 @@ ContactQuery smallest_gap(const BallSocketPair& pair) {
 }
 
 std::vector<ContactCase> culled_cases(const BallSocketPair& pair) {
-  std::vector cases{touch_only("culled_faces", "touch, culled", 3, pair, touch_of_faces),
+  std::vector cases{touch_only("culled_faces", "radial overlap, culled", 3, pair, touch_of_faces),
                     touch_only("culled", "touch of vertices, culled", 3, pair, touch_of_vertices),
                     ContactCase{{"culled_least_gap", "smallest gap, culled", "", 3},
                                 [&pair] { return smallest_gap(pair); }}};

@@ -2,12 +2,12 @@
 // @can     points gaps
 // @links   gap gap_queries peer::embree
 //
-// Methods embree_ray1, embree_ray8 and embree_ray16: the layer of a surface that counts, by Embree, one ray
-// at a time or 8 or 16 in a packet. For the nearest it is the first triangle that a ray from the centre
-// meets; for the farthest the first that a ray from beyond the surface to the centre meets. Rays and
-// triangles in float.
+// Methods embree_ray1, embree_ray8 and embree_ray16: the layer of a surface that counts along a ray from the
+// centre, by Embree, one ray at a time or 8 or 16 in a packet: the first triangle that the ray meets, or the
+// last, by a filter that refuses all. Rays and triangles in float.
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <type_traits>
 
@@ -20,47 +20,52 @@ namespace {
 
 constexpr float kForever = std::numeric_limits<float>::infinity();
 
-// A surface and where its rays begin.
+constexpr std::size_t kMostRays = 16;  // of a packet
+
+// A surface and the layer of it that counts.
 struct Asked {
   EmbreeScene scene;
-  double from = 0.0;  // mm from the centre: 0, or beyond the surface
+  Layer layer = Layer::nearest;
 };
 
-// In lengths of the point that it passes.
-struct Ray {
-  Eigen::Vector3f from;
-  Eigen::Vector3f way;
-  float length;
+// A query, with the farthest crossing of each ray, in lengths of the point that it passes.
+struct Query : RTCIntersectContext {
+  explicit Query(const Asked& asked) {
+    rtcInitIntersectContext(this);
+    if (asked.layer == Layer::farthest) filter = keep_farthest;
+  }
+
+  // Keeps a crossing and refuses it, so that the ray goes on.
+  static void keep_farthest(const RTCFilterFunctionNArguments* found) {
+    auto& query = *static_cast<Query*>(found->context);
+    for (unsigned k = 0; k < found->N; ++k) {
+      if (found->valid[k] == 0) continue;
+      float& farthest = query.farthest[RTCRayN_id(found->ray, found->N, k)];
+      farthest = std::max(farthest, RTCRayN_tfar(found->ray, found->N, k));
+      found->valid[k] = 0;
+    }
+  }
+
+  double radius(std::size_t ray, unsigned geometry, float first, const Vec3& x) const {
+    const bool met = filter == nullptr ? geometry != RTC_INVALID_GEOMETRY_ID : farthest[ray] > 0.0F;
+    if (!met) return kNoSurface;
+    return static_cast<double>(filter == nullptr ? first : farthest[ray]) * x.norm();
+  }
+
+  std::array<float, kMostRays> farthest{};
 };
-
-Ray ray_through(const Asked& asked, const Vec3& x) {
-  const Eigen::Vector3f way = x.cast<float>();
-  if (asked.from == 0.0) return {Eigen::Vector3f::Zero(), way, kForever};
-  const double begin = asked.from / x.norm();
-  return {(begin * x).cast<float>(), -way, static_cast<float>(begin)};
-}
-
-double radius_of(const Asked& asked, unsigned geometry, float parameter, const Vec3& x) {
-  if (geometry == RTC_INVALID_GEOMETRY_ID) return kNoSurface;
-  return std::abs(asked.from - static_cast<double>(parameter) * x.norm());
-}
 
 double cast_one(const Asked& asked, const Vec3& x) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  const Ray of = ray_through(asked, x);
+  Query query(asked);
   RTCRayHit ray{};
-  ray.ray.org_x = of.from.x();
-  ray.ray.org_y = of.from.y();
-  ray.ray.org_z = of.from.z();
-  ray.ray.dir_x = of.way.x();
-  ray.ray.dir_y = of.way.y();
-  ray.ray.dir_z = of.way.z();
-  ray.ray.tfar = of.length;
+  ray.ray.dir_x = static_cast<float>(x.x());
+  ray.ray.dir_y = static_cast<float>(x.y());
+  ray.ray.dir_z = static_cast<float>(x.z());
+  ray.ray.tfar = kForever;
   ray.ray.mask = ~0U;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(asked.scene.get(), &context, &ray);
-  return radius_of(asked, ray.hit.geomID, ray.ray.tfar, x);
+  rtcIntersect1(asked.scene.get(), &query, &ray);
+  return query.radius(0, ray.hit.geomID, ray.ray.tfar, x);
 }
 
 void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context, RTCRayHit8* rays) {
@@ -75,26 +80,22 @@ constexpr std::size_t kWidth = std::extent_v<decltype(Packet{}.ray.dir_x)>;
 
 template <class Packet>
 void cast_packet(const Asked& asked, std::span<const Vec3> points, std::span<double> out) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  Query query(asked);
   Packet rays{};
   alignas(64) int valid[kWidth<Packet>] = {};
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const Ray of = ray_through(asked, points[k]);
     valid[k] = -1;
-    rays.ray.org_x[k] = of.from.x();
-    rays.ray.org_y[k] = of.from.y();
-    rays.ray.org_z[k] = of.from.z();
-    rays.ray.dir_x[k] = of.way.x();
-    rays.ray.dir_y[k] = of.way.y();
-    rays.ray.dir_z[k] = of.way.z();
-    rays.ray.tfar[k] = of.length;
+    rays.ray.dir_x[k] = static_cast<float>(points[k].x());
+    rays.ray.dir_y[k] = static_cast<float>(points[k].y());
+    rays.ray.dir_z[k] = static_cast<float>(points[k].z());
+    rays.ray.tfar[k] = kForever;
     rays.ray.mask[k] = ~0U;
+    rays.ray.id[k] = static_cast<unsigned>(k);
     rays.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
   }
-  intersect(valid, asked.scene.get(), &context, &rays);
+  intersect(valid, asked.scene.get(), &query, &rays);
   for (std::size_t k = 0; k < points.size(); ++k)
-    out[k] = radius_of(asked, rays.hit.geomID[k], rays.ray.tfar[k], points[k]);
+    out[k] = query.radius(k, rays.hit.geomID[k], rays.ray.tfar[k], points[k]);
 }
 
 template <class Packet>
@@ -108,15 +109,9 @@ PointQuery packets(const std::shared_ptr<const Asked>& asked) {
           asked->scene.bytes()};
 }
 
-double beyond(const TriangleMesh& mesh) {
-  double radius = 0.0;
-  for (const Vec3& v : mesh.vertices) radius = std::max(radius, v.norm());
-  return 1.01 * radius;
-}
-
 PointQuery rays(const TriangleMesh& mesh, Layer layer, int width, EmbreeQuality quality) {
   const auto asked =
-      std::shared_ptr<const Asked>(new Asked{{mesh, quality}, layer == Layer::nearest ? 0.0 : beyond(mesh)});
+      std::shared_ptr<const Asked>(new Asked{{mesh, quality, layer == Layer::farthest}, layer});
   if (width == 8) return packets<RTCRayHit8>(asked);
   if (width == 16) return packets<RTCRayHit16>(asked);
   return one_by_one([asked](const Vec3& x) { return cast_one(*asked, x); }, asked->scene.bytes());

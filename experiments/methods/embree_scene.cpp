@@ -28,12 +28,14 @@ bool EmbreeScene::count(void* self, ssize_t bytes, bool /*post*/) {
   return true;
 }
 
-EmbreeScene::EmbreeScene(const TriangleMesh& mesh, EmbreeQuality quality)
+EmbreeScene::EmbreeScene(const TriangleMesh& mesh, EmbreeQuality quality, bool filtered)
     : device_(rtcNewDevice("threads=1,set_affinity=0")) {
   if (device_ == nullptr) throw std::runtime_error("Embree does not start on this machine");
   rtcSetDeviceMemoryMonitorFunction(device_, &EmbreeScene::count, this);
   scene_ = rtcNewScene(device_);
-  rtcSetSceneFlags(scene_, quality == EmbreeQuality::robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
+  const RTCSceneFlags none = RTC_SCENE_FLAG_NONE;
+  rtcSetSceneFlags(scene_, (quality == EmbreeQuality::robust ? RTC_SCENE_FLAG_ROBUST : none) |
+                               (filtered ? RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION : none));
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
   fill(geometry, mesh);
   rtcCommitGeometry(geometry);

@@ -16,8 +16,9 @@ enum class EmbreeQuality { fast, robust };
 
 class EmbreeScene {
  public:
-  // mesh in the centre frame. Throws std::runtime_error when Embree refuses.
-  EmbreeScene(const TriangleMesh& mesh, EmbreeQuality quality);
+  // mesh in the centre frame; may queries bring a filter of their own? Throws std::runtime_error when Embree
+  // refuses.
+  EmbreeScene(const TriangleMesh& mesh, EmbreeQuality quality, bool filtered = false);
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
   ~EmbreeScene();
