@@ -38,7 +38,7 @@ METHODS = {
     "cube_cells_exact": ("#000000", "*", "-"),
     "impinge": ("#0072B2", "o", "-"),
     "bracket": ("#0072B2", "*", "-"),
-    "touch, culled": ("#0072B2", "h", "-"),
+    "radial overlap": ("#0072B2", "h", "-"),
     "touch of vertices": ("#2E8BC0", "h", "--"),
     "smallest gap, culled": ("#2E8BC0", "o", "--"),
     "all gaps": ("#00376B", "^", "-"),

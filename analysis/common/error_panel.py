@@ -27,10 +27,10 @@ class Errors:
 
 
 MICROMETRES = Errors(
-    1e-3, 0.1, "largest error", {1e-3: "≤ 1 nm", 0.1: "0.1 µm", 10.0: "10 µm", 1e3: "1 mm"}, 2e4
+    1e-3, 0.1, "largest error of a gap", {1e-3: "≤ 1 nm", 0.1: "0.1 µm", 10.0: "10 µm", 1e3: "1 mm"}, 2e4
 )
 DEGREES = Errors(1e-7, 1e-5, "largest error, degrees", {1e-7: "≤ 1e-7", 1e-5: "1e-5", 1e-3: "0.001", 0.1: "0.1", 10.0: "10"})
-PERCENT = Errors(0.0, 0.2, "poses that it is wrong about, %")
+PERCENT = Errors(0.0, 0.2, "overlaps missed or invented, % of poses", most=100.0)
 
 
 def grid_of(lines: int, height: float, foot: str) -> tuple[plt.Figure, np.ndarray]:
@@ -59,6 +59,8 @@ def draw(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict) -> Non
         axes.set_xticks(list(errors.ticks), list(errors.ticks.values()))
         axes.set_xlim(errors.least / 2, max(axes.get_xlim()[1], 2 * max(errors.ticks)))
         axes.minorticks_off()
+    else:
+        axes.set_xlim(-1.0, max(10.0, 1.1 * rows.x.max()))
     low, high = axes.get_ylim()
     axes.set(xlim=axes.get_xlim(), ylim=(low / 1.3, high * 1.5))
     write_steps(axes, rows, looks)

@@ -32,6 +32,7 @@ def significant(values: pd.Series) -> list[float | None]:
 def lines(table: pd.DataFrame) -> list[dict]:
     """One line of the plot a scene and method: its settings in the order of the table."""
     names = list(dict.fromkeys(table.line))
+    looks = common.look(names)
     found = []
     for (scene, line), group in table.groupby(["scene", "line"], sort=False):
         k = names.index(line)
@@ -40,7 +41,7 @@ def lines(table: pd.DataFrame) -> list[dict]:
                 "scene": scene,
                 "name": pareto.label(line),
                 "kind": group.kind.iloc[0],
-                "colour": common.COLOURS[k % len(common.COLOURS)],
+                "colour": looks[line]["color"],
                 "marker": MARKERS[k // len(common.COLOURS) % len(MARKERS)],
                 "setting": [pareto.step_of(row) for row in group.itertuples()],
                 **{column: significant(group[column]) for column in (*ERRORS, *pareto.COSTS)},

@@ -14,7 +14,7 @@ import pandas as pd
 import common
 from common import work_precision
 
-COLUMNS = "scene line method setting precision_deg error_um bound_um bytes single_ns pose_us build_ms".split()
+COLUMNS = "scene line method setting precision_deg error_um anywhere_um bound_um bytes single_ns pose_us build_ms".split()
 
 
 def main(options) -> common.Table:

@@ -230,7 +230,7 @@ std::vector<Column> contact_keys() {
       {"method", "",
        "fcl_collide: trees of oriented boxes; ode_collide, bullet_collide: OPCODE's and "
        "GImpact's, along the axes, in float; fcl_distance: smallest distance; all_vertices: both scans by "
-       "the kernels, all gaps, of tables in 16 bits; culled_faces: touch, edges and all; culled: touch of "
+       "the kernels, all gaps, of tables in 16 bits; culled_faces: radial overlap, edges and all; culled: of "
        "vertices; culled_least_gap: smallest gap of a vertex"},
       {"gap_case", "", "smallest gap in the poses; build, among the samples: everything done once"},
       {"triangles", "1", "of the ball"}};

@@ -5,7 +5,7 @@
 // @writes    first_contact first_contact_samples
 // @bones     yes
 // @timing    yes
-// @seconds   97 3600
+// @seconds   130 3600
 // @links     harness hip real_joints reference contact_poses contact change benchmark_scene
 // @links     methods points_methods gaps_methods contact_methods gap_simd instruction_set
 //
