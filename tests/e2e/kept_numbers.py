@@ -19,7 +19,7 @@ KEPT = Path(__file__).with_suffix(".csv")
 EXPERIMENTS = (
     "band_limit baselines claims conchoid_angles conchoid_curve conchoid_origins conchoid_shape conchoid_spacing "
     "conchoid_surface diagram_bodies diagram_chart diagram_corners diagram_coverage diagram_excerpt diagram_lookups "
-    "diagram_rays diagram_scans diagram_sections error_budget helix_curve helix_lookup_error helix_neighbours helix_placement "
+    "diagram_rays diagram_scans diagram_sections error_budget fill_memory helix_curve helix_lookup_error helix_neighbours helix_placement "
     "motion_frames motion_zones sampling_error sampling_error_bounds sampling_error_proven sampling_error_sphere "
     "slice_band_limit slices slices_to_surface spectrum strain_hip strain_incidence strain_layer"
 ).split()
