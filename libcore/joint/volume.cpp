@@ -51,6 +51,8 @@ VolumeRow volume_row(const VolumeCell& at) {
                 .state = name(at.state),
                 .reachable = at.reachable};
   if (!at.reachable && at.within_reach) row.reachable.reset();
+  row.free = at.state == CellState::free ? row.share : at.part != nullptr ? at.part->free_share : 0.0;
+  row.blocked = at.state == CellState::blocked ? row.share : at.part != nullptr ? at.part->blocked_share : 0.0;
   return row;
 }
 

@@ -90,6 +90,8 @@ struct VolumeRow {
   double z = 0.0;
   double radius_deg = 0.0;
   double share = 0.0;
+  double free = 0.0;
+  double blocked = 0.0;
   std::string_view state;
   std::optional<bool> reachable;
 
@@ -104,6 +106,9 @@ struct VolumeRow {
       Field{"radius_deg", "deg", "no rotation of the cell is farther from its middle",
             &VolumeRow::radius_deg},
       Field{"share", "1", "of all rotations", &VolumeRow::share},
+      Field{"free", "1", "of all rotations, that is free: all of the cell, or part of one that is open",
+            &VolumeRow::free},
+      Field{"blocked", "1", "the same, that is blocked", &VolumeRow::blocked},
       Field{"state", "", "free, blocked, unknown, or open: undecided", &VolumeRow::state},
       Field{"reachable", "", "without contact from the pose of the scan; empty where it is not known",
             &VolumeRow::reachable}};

@@ -51,6 +51,8 @@ struct CellRow {
   double z;
   double radius_deg;
   double share;
+  double free;
+  double blocked;
   std::int8_t state;
   std::int8_t reachable;
 };
@@ -61,7 +63,7 @@ void add_cells(PoseJoint& /*joint*/, const VolumeAnswer& found, py::dict& answer
     const VolumeRow row = volume_row(at);
     const int reachable = row.reachable ? (*row.reachable ? 1 : 0) : -1;
     rows.push_back({row.level, static_cast<std::int64_t>(row.cell), row.w, row.x, row.y, row.z,
-                    row.radius_deg, row.share, static_cast<std::int8_t>(at.state),
+                    row.radius_deg, row.share, row.free, row.blocked, static_cast<std::int8_t>(at.state),
                     static_cast<std::int8_t>(reachable)});
   });
   answer["cells"] = py::array_t<CellRow>(static_cast<py::ssize_t>(rows.size()), rows.data());
@@ -98,7 +100,7 @@ void add_text(PoseJoint& /*joint*/, const CertifyAnswer& found, py::dict& answer
 
 void bind_questions(JointClass& joint) {
   PYBIND11_NUMPY_DTYPE(SquareRow, inclination_deg, anteversion_deg, half_width_deg, leg, state);
-  PYBIND11_NUMPY_DTYPE(CellRow, level, cell, w, x, y, z, radius_deg, share, state, reachable);
+  PYBIND11_NUMPY_DTYPE(CellRow, level, cell, w, x, y, z, radius_deg, share, free, blocked, state, reachable);
   bind_question<TouchRequest, TouchAnswer>(joint, "_touch", "Do the bones touch in a pose?");
   bind_question<GapsRequest, GapsAnswer>(joint, "_gaps", "What all gaps of a pose say.");
   bind_question<LimitsRequest, LimitsAnswer>(

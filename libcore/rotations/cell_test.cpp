@@ -17,6 +17,16 @@ namespace {
 constexpr double kTolerance = 1e-12;  // of 1 / r and of lengths, as a share
 constexpr double kTurnSlack = 2e-9;   // radians
 
+constexpr std::uint32_t kCoarsestPart = 6;   // level of cells that are taken apart
+constexpr std::uint32_t kFinestPart = 10;    // planes of finer ones are too coarse
+constexpr std::size_t kMostWitnesses = 4;    // of a surface, that may block part of a cell
+constexpr std::size_t kMostBlocked = 6;      // of both
+constexpr std::uint32_t kUnnamed = 0xffffU;  // a plane that bounds a piece alone
+constexpr double kLeastGain = 0.05;          // of half a side: what reaches less far is not worth a plane
+constexpr double kLeastSlope = 1e-3;         // of a normal across a direction, that counts
+constexpr double kLeastNormal = 1e-9;        // mm^2, of two edges
+constexpr std::size_t kMostPairs = 4000;     // of faces, that are kept apart in a cell
+
 // A search over the nodes of a tree that opens the one found last.
 struct Pending {
   std::array<std::uint32_t, CapTree::kMostPending> blocks;
@@ -381,17 +391,22 @@ bool CellSearch::leaves(const Asked& asked) const {
          });
 }
 
-CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& from) {
-  const NearPoses poses = test_.poses_near(rotations);
+CellSearch::Asked CellSearch::asked_of(const NearPoses& poses, const RotationBall& rotations) const {
   const double shift = poses.shift_mm;
   const double r = test_.question_.centre_within_mm;
-  if (r > 0.0 &&
-      !(std::min(test_.least_ball_, test_.least_socket_) > std::max(shift, r) + test_.question_.gap_mm))
-    return {};
   const double doubt =
       r == 0.0 ? 0.0 : std::asin(shift / test_.least_ball_) + std::asin(r / test_.least_socket_);
-  const Asked asked{rotations.rotation, rotations.rotation.transpose(), shift,
-                    CapAngle(rotations.radius + doubt + kTurnSlack), rotations.radius};
+  return {rotations.rotation, rotations.rotation.transpose(), shift,
+          CapAngle(rotations.radius + doubt + kTurnSlack), rotations.radius};
+}
+
+CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& from) {
+  const NearPoses poses = test_.poses_near(rotations);
+  const double r = test_.question_.centre_within_mm;
+  if (r > 0.0 && !(std::min(test_.least_ball_, test_.least_socket_) >
+                   std::max(poses.shift_mm, r) + test_.question_.gap_mm))
+    return {};
+  const Asked asked = asked_of(poses, rotations);
   if (asked.angle.wide) return {};
   CellVerdict verdict = facing(asked, from);
   // By radii: of main surfaces, a gap, or contact where bones have no inside (limits/body_pairs.hpp).
@@ -432,6 +447,249 @@ CellVerdict CellSearch::facing(const Asked& asked, const CellHint& from) {
     return verdict;
   verdict.state = CellState::open;
   return verdict;
+}
+
+// A cell that is taken apart: what is left of it, in which nothing is known yet.
+struct CellSearch::Parted {
+  Asked asked;
+  CellFrame frame;
+  CellPart part{};
+  CellPolytope left{};
+  std::vector<CellPlane> planes{};  // that bound it
+  std::size_t pairs = 0;            // that were kept apart
+  CapAngle about{0.0};              // of a face of the socket: directions that it may come to
+
+  bool clip(const CellPlane& plane) {
+    planes.push_back(plane);
+    return left.clip(plane, static_cast<std::uint32_t>(5 + planes.size()));
+  }
+  bool keep(const FormOverCell& form) { return !left.meets(form) || (clip(form.plane()) && !left.empty()); }
+};
+
+// Where in the cell that vertex is beyond all faces that it may meet: a half-space that is held by each of
+// theirs.
+std::optional<FormOverCell> CellSearch::block_form(const Parted& at, Surface of, const Reach& reach) {
+  if (reach.face == DirectionFace::kNone) return std::nullopt;
+  const bool of_ball = of == Surface::ball;
+  const Vec3 x = reach.radius * ((of_ball ? at.asked.inverse : at.asked.rotation) * reach.cap.axis);
+  std::optional<FormOverCell> all;
+  const auto keeps = [&](const DirectionFace& face) {
+    if (of_ball ? face.range.high <= reach.radius * (1.0 - kTolerance)
+                : face.range.low >= reach.radius * (1.0 + kTolerance))
+      return true;
+    if (face.plane.isZero(0.0)) return false;
+    const double slack = face.doubt + kTolerance * (1.0 + face.plane.norm() * reach.radius);
+    const FormOverCell form = of_ball ? at.frame.form(face.plane, x, 1.0, 1.0, slack)
+                                      : at.frame.form(x, face.plane, 1.0, -1.0, slack);
+    if (!all) all = form;
+    const double offset = form.middle + form.least - (form.slope - all->slope).cwiseAbs().sum();
+    all->least = std::min(all->least, offset - all->middle);
+    return all->middle + all->least + all->corner() > 0.0;
+  };
+  if (!test_.surface(other(of)).covers(reach.cap, reach.face, memory_, keeps)) return std::nullopt;
+  return all;
+}
+
+void CellSearch::find_witnesses(const Parted& at, Surface of, std::vector<Reach>& found) {
+  const bool of_ball = of == Surface::ball;
+  const CellTest::Side& met = test_.side(other(of));
+  const auto take = [&](std::uint32_t v) {
+    const Reach reach = reach_at(at.asked, of, v);
+    if (reach.face != DirectionFace::kNone && reach.angle > -reach.cap.radius) found.push_back(reach);
+    return false;
+  };
+  const double more = test_.question_.gap_mm;
+  const auto depth_of = [&](const CapBlock& block, std::size_t k) {
+    const Vec3 x = (of_ball ? at.asked.rotation : at.asked.inverse) * axis_of(block, k);
+    const double limit = met.limits.within(x, block.angle[k]);
+    return of_ball ? block.high[k] + more - limit : limit - block.low[k];
+  };
+  search_deepest(test_.surface(of).vertex_tree(), kMostVertices, depth_of, take);
+}
+
+// Cuts off what vertices block, those first that block most; true if nothing is left.
+bool CellSearch::take_blocked(Parted& at, const CellHint& hint) {
+  std::vector<FormOverCell> forms;
+  for (const Surface of : kSurfaces) {
+    std::vector<Reach> found;
+    find_witnesses(at, of, found);
+    if (hint.vertex != CellHint::kNone && hint.of_ball == (of == Surface::ball))
+      found.push_back(reach_at(at.asked, of, hint.vertex));
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Reach& a, const Reach& b) { return a.angle > b.angle; });
+    found.resize(std::min(found.size(), kMostWitnesses));
+    for (const Reach& reach : found)
+      if (const auto form = block_form(at, of, reach)) forms.push_back(*form);
+  }
+  std::vector<CellPlane> planes;
+  for (const FormOverCell& form : forms) planes.push_back(form.plane());
+  std::stable_sort(planes.begin(), planes.end(),
+                   [](const CellPlane& a, const CellPlane& b) { return a.offset > b.offset; });
+  for (const CellPlane& plane : planes) {
+    if (at.part.blocked.size() == kMostBlocked) return false;
+    CellPolytope piece = at.left;
+    if (at.left.farthest(plane) < kLeastGain || !piece.clip(plane, kUnnamed)) continue;
+    at.part.blocked_share += piece.share(at.frame);
+    at.part.blocked.push_back(plane);
+    if (!at.clip(plane.opposite())) return false;
+    if (at.left.empty()) return true;
+  }
+  return false;
+}
+
+// Where they meet p = x = k y, k >= 1, for points of these polygons, so that they are apart where
+// n . R x < c <= n . y for all corners, c of 0 or more.
+struct CellSearch::PairForms {
+  const PosedFace& socket;
+  const DirectionFace& ball;
+  DirectionPolygon of_ball;    // clipped to what the other may come to, in the frame of the ball
+  DirectionPolygon of_socket;  // likewise
+  double slack;
+
+  // Of a length along n, as an angle of a turn about the centre that makes up for it.
+  static double as_angle(double apart, const Vec3& n, const Vec3& u) {
+    return apart / (n.cross(u).norm() + kLeastSlope * n.norm());
+  }
+  double by_socket_plane() const {
+    double least = HUGE_VAL;
+    for (const Vec3& w : of_ball.points())
+      least = std::min(least, as_angle((ball.plane - socket.plane).dot(w) / w.norm(), socket.plane, w));
+    return least;
+  }
+  double by_ball_plane() const {
+    double least = HUGE_VAL;
+    for (const Vec3& u : of_socket.points())
+      least = std::min(least, as_angle((ball.plane - socket.plane).dot(u) / u.norm(), ball.plane, u));
+    return least;
+  }
+  // The normal of an edge of each that keeps them apart in the middle of the cell, n . y >= 1; zero if none
+  // does.
+  Vec3 by_edges() const {
+    const std::vector<Vec3> x = corners(of_ball, ball.plane);
+    const std::vector<Vec3> y = corners(of_socket, socket.plane);
+    Vec3 normal = Vec3::Zero();
+    double best = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      for (std::size_t j = 0; j < y.size(); ++j) {
+        Vec3 n = (x[(i + 1) % x.size()] - x[i]).cross(y[(j + 1) % y.size()] - y[j]);
+        if (n.dot(y[j]) < 0.0) n = -n;
+        double least = HUGE_VAL;
+        double most = -HUGE_VAL;
+        for (const Vec3& at : x) most = std::max(most, n.dot(at));
+        for (const Vec3& at : y) least = std::min(least, n.dot(at));
+        if (!(n.norm() > kLeastNormal) || !(least > 0.0)) continue;
+        const double found = as_angle((least - most) / x[i].norm(), n, x[i].normalized());
+        if (found <= best) continue;
+        best = found;
+        normal = n / least;
+      }
+    }
+    return normal;
+  }
+  static std::vector<Vec3> corners(const DirectionPolygon& polygon, const Vec3& plane) {
+    std::vector<Vec3> at;
+    for (const Vec3& u : polygon.points()) at.emplace_back(u / plane.dot(u));
+    return at;
+  }
+};
+
+// Clips what is left to where these two are apart; false where that cannot be said of any of it.
+bool CellSearch::keep_apart(Parted& at, const PosedFace& socket, const DirectionFace& ball) const {
+  const Asked& asked = at.asked;
+  if (ball.range.high < socket.range.low * (1.0 - kTolerance)) return true;
+  if ((ball.cap.axis - socket.axis).norm() > ball.cap.radius + socket.face->cap.radius + asked.angle.radius)
+    return true;
+  // Is its plane within all of the socket's face?
+  if (least_over(ball.plane, socket.axis, at.about) * socket.range.low >
+      1.0 + 2.0 * (ball.doubt + kTolerance))
+    return true;
+  PairForms pair{socket, ball, DirectionPolygon(ball.corner), DirectionPolygon(socket.corner),
+                 (ball.doubt + socket.face->doubt + kTolerance) * (ball.plane.norm() + socket.plane.norm())};
+  const double beyond = -asked.angle.sine - kSideSlack;
+  for (const Vec3& n : socket.inward) pair.of_ball.clip(n, beyond);
+  for (const Vec3& n : ball.inward) pair.of_socket.clip(n, beyond);
+  if (pair.of_ball.points().empty() || pair.of_socket.points().empty()) return true;
+  if (ball.plane.isZero(0.0) || socket.plane.isZero(0.0)) return false;
+  ++at.pairs;
+  const double by_socket = pair.by_socket_plane();
+  const double by_ball = pair.by_ball_plane();
+  if (std::max(by_socket, by_ball) < 0.0) {
+    const Vec3 normal = pair.by_edges();
+    if (!normal.isZero(0.0)) {
+      const Vec3 n = asked.rotation * normal;
+      const std::vector<Vec3> corners = PairForms::corners(pair.of_ball, ball.plane);
+      return std::ranges::all_of(corners, [&](const Vec3& x) {
+        const double slack = pair.slack * x.norm() +
+                             (kTolerance + socket.face->doubt + ball.doubt) * (1.0 + n.norm() * x.norm());
+        return at.keep(at.frame.form(n, x, 1.0, -1.0, slack));
+      });
+    }
+  }
+  if (by_socket >= by_ball) {
+    return std::ranges::all_of(pair.of_ball.points(), [&](const Vec3& w) {
+      return at.keep(at.frame.form(socket.face->plane, w, ball.plane.dot(w), -1.0, pair.slack));
+    });
+  }
+  return std::ranges::all_of(pair.of_socket.points(), [&](const Vec3& u) {
+    return at.keep(at.frame.form(asked.rotation * u, ball.plane, socket.plane.dot(u), 1.0, pair.slack));
+  });
+}
+
+bool CellSearch::take_free(Parted& at, const CellHint& hint) const {
+  const SeenSurface& ball = test_.grown_ball();
+  const SeenSurface& socket = test_.surface(Surface::socket);
+  if (hint.socket_face != CellHint::kNone)
+    at.about = CapAngle(socket.faces()[hint.socket_face].cap.radius + at.asked.angle.radius);
+  if (hint.ball_face != CellHint::kNone && hint.socket_face != CellHint::kNone &&
+      !keep_apart(at, posed(at.asked, hint.socket_face), ball.faces()[hint.ball_face]))
+    return false;
+  const auto with = [&](std::uint32_t f) {  // is it in the way?
+    const PosedFace face = posed(at.asked, f);
+    at.about = CapAngle(face.face->cap.radius + at.asked.angle.radius);
+    const NearCap near{face.axis.cast<float>(),
+                       static_cast<float>(face.face->cap.radius + at.asked.angle.radius),
+                       static_cast<float>(face.range.low * (1.0 - kTolerance))};
+    Pending pending;
+    pending.push(0);
+    while (pending.count > 0) {
+      const CapBlock& block = ball.face_tree().blocks()[pending.pop()];
+      const auto may_hold = near_nodes(block, near);
+      for (std::size_t k = 0; k < block.nodes; ++k) {
+        if (may_hold[k] == 0) continue;
+        if (!block.leaf(k)) pending.push(block.first[k]);
+        for (std::uint32_t g = block.first[k]; g < block.first[k] + block.items[k]; ++g)
+          if (!keep_apart(at, face, ball.faces()[g]) || at.left.empty() || at.pairs > kMostPairs) return true;
+      }
+    }
+    return false;
+  };
+  const CapLimits& farthest = test_.side(Surface::ball).limits;
+  const auto depth_of = [&](const CapBlock& block, std::size_t k) {
+    const float wide =
+        std::nextafter(block.angle[k] + static_cast<float>(at.asked.angle.radius + kTurnSlack), HUGE_VALF);
+    const double most =
+        test_.edge_on_ ? HUGE_VAL : farthest.within(at.asked.inverse * axis_of(block, k), wide);
+    return most - block.low[k];
+  };
+  return !search_deepest(socket.face_tree(), SIZE_MAX, depth_of, with) && !at.left.empty();
+}
+
+CellPart CellSearch::part_of(const RotationCell& cell, const CellHint& hint) {
+  const CellQuestion& question = test_.question_;
+  const RotationBall rotations = ball_about(cell);
+  const NearPoses poses = test_.poses_near(rotations);
+  if (question.centre_within_mm > 0.0 || cell.level < kCoarsestPart || cell.level > kFinestPart) return {};
+  Parted at{asked_of(poses, rotations), CellFrame(cell)};
+  const bool by_radii = question.gap_mm > 0.0 || !test_.bodies_.has_inside();
+  if (by_radii && take_blocked(at, hint)) at.part.state = CellState::blocked;
+  if (!at.left.empty() && state_of_free(at.asked) == CellState::free && take_free(at, hint) &&
+      !test_.bodies_.may_meet(poses, true)) {
+    if (at.planes.empty()) at.part.state = CellState::free;
+    at.part.free_share = at.left.share(at.frame);
+    for (std::size_t k = 0; k < at.planes.size(); ++k)
+      if (at.left.bounds(static_cast<std::uint32_t>(6 + k))) at.part.free.push_back(at.planes[k]);
+  }
+  return std::move(at.part);
 }
 
 }  // namespace impinge

@@ -49,14 +49,13 @@
 #include "limits/body_pairs.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "rotations/cap_floor.hpp"
+#include "rotations/cell_part.hpp"
 #include "rotations/mesh_holes.hpp"
 #include "rotations/rotation_cells.hpp"
 #include "rotations/seen_surface.hpp"
 
 namespace impinge {
 
-/// What is known of all rotations of a cell.
-enum class CellState : std::uint8_t { free, blocked, unknown, open };
 template <>
 inline constexpr std::array<std::string_view, 4> words_of<CellState>{"free", "blocked", "unknown", "open"};
 constexpr std::string_view name(CellState state) { return word_of(state); }
@@ -144,6 +143,8 @@ class CellSearch {
   CellVerdict decide(const RotationCell& cell, const CellHint& hint = {}) {
     return decide(ball_about(cell), hint);
   }
+  /// What is known of parts of a cell whose verdict is open.
+  CellPart part_of(const RotationCell& cell, const CellHint& hint);
 
  private:
   /// What follows from the question for these rotations.
@@ -171,6 +172,17 @@ class CellSearch {
     double angle = -1.0;  // radians: how far from the axis the plane of that face does so
   };
   static constexpr std::size_t kMostVertices = 64;  // asked of a surface and a cell
+
+  /// A cell that is taken apart.
+  struct Parted;
+  /// Half-spaces in which two faces are apart.
+  struct PairForms;
+  Asked asked_of(const NearPoses& poses, const RotationBall& rotations) const;
+  std::optional<FormOverCell> block_form(const Parted& at, Surface of, const Reach& reach);
+  void find_witnesses(const Parted& at, Surface of, std::vector<Reach>& found);
+  bool take_blocked(Parted& at, const CellHint& hint);
+  bool keep_apart(Parted& at, const PosedFace& socket, const DirectionFace& ball) const;
+  bool take_free(Parted& at, const CellHint& hint) const;
 
   CellVerdict facing(const Asked& asked, const CellHint& from);  // of the main surfaces, by radii
   CellState state_of_free(const Asked& asked) const;

@@ -110,17 +110,21 @@ double most_over(const Vec3& q, const Vec3& w, const CapAngle& cap) {
 double least_over(const Vec3& q, const Vec3& w, const CapAngle& cap) { return -most_over(-q, w, cap); }
 
 void DirectionPolygon::clip(const Vec3& normal, double least) {
+  std::array<double, kMost> at;
+  double lowest = HUGE_VAL;
+  for (std::size_t k = 0; k < size_; ++k) lowest = std::min(lowest, at[k] = normal.dot(points_[k]) - least);
+  if (lowest >= 0.0) return;
   std::array<Vec3, kMost> kept;
   std::size_t count = 0;
   for (std::size_t k = 0; k < size_; ++k) {
     const Vec3& a = points_[k];
     const Vec3& b = points_[(k + 1) % size_];
-    const double at_a = normal.dot(a) - least;
-    const double at_b = normal.dot(b) - least;
+    const double at_a = at[k];
+    const double at_b = at[(k + 1) % size_];
     if (at_a >= 0.0) kept[count++] = a;
     if ((at_a >= 0.0) != (at_b >= 0.0)) kept[count++] = a + (at_a / (at_a - at_b)) * (b - a);
   }
-  points_ = kept;
+  std::copy_n(kept.begin(), count, points_.begin());
   size_ = count;
 }
 

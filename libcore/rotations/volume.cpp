@@ -14,8 +14,9 @@
 namespace impinge {
 namespace {
 
-constexpr std::size_t kBatch = 1024;  // cells that are split before anyone looks at the width
-constexpr std::size_t kTaken = 16;    // of them that a thread takes at a time
+constexpr std::size_t kBatch = 1024;    // cells that are split before anyone looks at the width
+constexpr std::size_t kTaken = 16;      // of them that a thread takes at a time
+constexpr double kWidestParted = 0.03;  // width from which on parts are worth their time
 constexpr std::uint8_t kCertainly = 1;
 constexpr std::uint8_t kPerhaps = 2;
 
@@ -31,9 +32,11 @@ class MotionVolume::Refinement {
 
   void run() {
     std::vector<Asked> cubes;
-    for (std::uint64_t cube = 0; cube < 4; ++cube) cubes.push_back({{0, cube}, {}, {}, 0.0});
+    for (std::uint64_t cube = 0; cube < 4; ++cube)
+      cubes.push_back({{0, cube}, {}, {}, 0.0, {}, CellState::open});
     volume_.nodes_.resize(4);
     volume_.hints_.resize(4);
+    volume_.parts_.resize(1);
     decide(cubes);
     for (std::uint32_t cube = 0; cube < 4; ++cube) take_in(cubes[cube], cube);
     report(cubes);
@@ -51,7 +54,9 @@ class MotionVolume::Refinement {
     RotationCell cell;
     CellHint hint;
     CellVerdict verdict;
-    double share;
+    double share;  // that is open
+    CellPart part;
+    CellState told;  // of it by its parent's; open where that does not say
   };
 
   void split(std::size_t most) {
@@ -68,8 +73,14 @@ class MotionVolume::Refinement {
     std::vector<Asked> children;
     for (const Open& parent : parents) {
       open_ -= parent.share;
-      for (std::uint64_t k = 0; k < 8; ++k)
-        children.push_back({child(parent.cell, k), volume_.hints_[parent.node], {}, 0.0});
+      CellPart& part = volume_.parts_[volume_.nodes_[parent.node].part];
+      for (std::uint64_t k = 0; k < 8; ++k) {
+        const CellState told = part.blocks(k)  ? CellState::blocked
+                               : part.frees(k) ? CellState::free
+                                               : CellState::open;
+        children.push_back({child(parent.cell, k), volume_.hints_[parent.node], {}, 0.0, {}, told});
+      }
+      part = {};
     }
     decide(children);
     for (std::size_t k = 0; k < parents.size(); ++k) {
@@ -88,8 +99,14 @@ class MotionVolume::Refinement {
       for (std::size_t from = next.fetch_add(kTaken); from < cells.size(); from = next.fetch_add(kTaken)) {
         for (std::size_t k = from; k < std::min(cells.size(), from + kTaken); ++k) {
           Asked& at = cells[k];
-          at.verdict = k < known_.size() ? known_[k] : searches_[thread].decide(at.cell, at.hint);
-          at.share = share(at.cell);
+          if (at.told != CellState::open)
+            at.verdict = {at.told, at.hint};
+          else
+            at.verdict = k < known_.size() ? known_[k] : searches_[thread].decide(at.cell, at.hint);
+          if (at.verdict.state != CellState::open) continue;
+          if (settings_.width <= kWidestParted) at.part = searches_[thread].part_of(at.cell, at.verdict.hint);
+          at.verdict.state = at.part.state;
+          at.share = std::max(0.0, share(at.cell) - at.part.free_share - at.part.blocked_share);
         }
       }
     });
@@ -97,12 +114,16 @@ class MotionVolume::Refinement {
     cells_ += cells.size();
   }
 
-  void take_in(const Asked& at, std::uint32_t node) {
+  void take_in(Asked& at, std::uint32_t node) {
     volume_.nodes_[node].state = at.verdict.state;
     volume_.hints_[node] = at.verdict.hint;
     if (at.verdict.state != CellState::open) return;
     open_ += at.share;
-    if (at.cell.level == kFinestCells) return;
+    if (!at.part.empty()) {
+      volume_.nodes_[node].part = static_cast<std::uint32_t>(volume_.parts_.size());
+      volume_.parts_.push_back(std::move(at.part));
+    }
+    if (at.cell.level == kFinestCells || at.share <= 0.0) return;
     // Not into the list that is being split: a child has an eighth of the share, or somewhat more or less.
     const auto octave = static_cast<int>(std::floor(-4.0 * std::log2(at.share)));
     waiting_[std::max(octave, next_octave())].push_back({at.cell, node, at.share});
@@ -150,7 +171,13 @@ void MotionVolume::visit_leaves(const RotationCell& cell, std::uint32_t node, co
 
 VolumeCell MotionVolume::leaf(const RotationCell& cell, std::uint32_t node) const {
   const Node& at = nodes_[node];
-  return {cell, at.state, (at.reach & kCertainly) != 0, (at.reach & kPerhaps) != 0, hints_[node]};
+  const bool free = at.state == CellState::free;
+  return {cell,
+          at.state,
+          free && (at.reach & kCertainly) != 0,
+          (at.reach & kPerhaps) != 0,
+          hints_[node],
+          at.part == 0 ? nullptr : &parts_[at.part]};
 }
 
 void MotionVolume::for_each(const std::function<void(const VolumeCell&)>& visit) const {
@@ -172,15 +199,50 @@ VolumeCell MotionVolume::at(const Quaternion4& q) const {
   RotationCell cell = cell_of(q, kFinestCells);
   const std::uint32_t node = find(cell);
   for (; cell.level > 0 && find(parent(cell)) == node;) cell = parent(cell);
-  return leaf(cell, node);
+  VolumeCell found = leaf(cell, node);
+  if (found.part == nullptr) return found;
+  const Vec3 t = CellFrame(cell).place(q);
+  if (found.part->is_blocked(t)) {
+    found.state = CellState::blocked;
+    found.within_reach = false;
+  } else if (found.part->is_free(t)) {
+    found.state = CellState::free;
+    found.reachable = (nodes_[node].reach & kCertainly) != 0;
+  }
+  return found;
+}
+
+// Is a rotation of the leaf proven free?
+bool MotionVolume::is_free(const RotationCell& cell, std::uint32_t node, const Quaternion4& q) const {
+  const Node& at = nodes_[node];
+  return at.state == CellState::free || (at.part != 0 && parts_[at.part].is_free(CellFrame(cell).place(q)));
+}
+
+// Do free rotations of a leaf, and of one beside it that is no smaller, meet on its side?
+bool MotionVolume::meet(const RotationCell& cell, std::uint32_t node, std::size_t side) const {
+  RotationCell beyond = beside(cell, side);
+  const std::uint32_t other = find(beyond);
+  while (beyond.level > 0 && find(parent(beyond)) == other) beyond = parent(beyond);
+  for (const double a : {0.0, -1.0, 1.0}) {
+    for (const double b : {0.0, -1.0, 1.0}) {
+      std::array<double, 3> along{};
+      along[side / 2] = side % 2 == 1 ? 1.0 : -1.0;
+      along[(side / 2 + 1) % 3] = a;
+      along[(side / 2 + 2) % 3] = b;
+      const Quaternion4 q = point_of(cell, along);
+      if (is_free(cell, node, q) && is_free(beyond, other, q)) return true;
+    }
+  }
+  return false;
 }
 
 // Joins leaves across their sides and marks those that are joined to the neutral rotation, which is where the
 // eight parts of the first cube meet.
 void MotionVolume::join(std::uint8_t bit) {
   const auto counts = [&](std::uint32_t node) {
-    return bit == kCertainly ? nodes_[node].state == CellState::free
-                             : nodes_[node].state != CellState::blocked;
+    const Node& at = nodes_[node];
+    return bit == kCertainly ? at.state == CellState::free || (at.part != 0 && !parts_[at.part].free.empty())
+                             : at.state != CellState::blocked;
   };
   DisjointSets sets(nodes_.size());
   for (std::uint32_t cube = 0; cube < 4; ++cube) {
@@ -188,15 +250,25 @@ void MotionVolume::join(std::uint8_t bit) {
       if (!counts(node)) return;
       for (std::size_t side = 0; side < 6; ++side) {
         const std::uint32_t other = find(beside(cell, side));
-        if (nodes_[other].first == 0 && counts(other)) sets.join(node, other, false);
+        if (nodes_[other].first != 0 || !counts(other)) continue;
+        const bool parts = nodes_[node].part + nodes_[other].part != 0;
+        if (bit == kPerhaps || !parts || meet(cell, node, side)) sets.join(node, other, false);
       }
     });
   }
+  const Quaternion4 neutral = Quaternion4::Unit(0);
   std::vector<bool> marked(nodes_.size(), false);
   for (std::uint32_t k = 0; k < 8; ++k) {
+    RotationCell cell{0, 0};
     std::uint32_t node = 0;
-    for (std::uint32_t at = k; nodes_[node].first != 0; at = 7 - k) node = nodes_[node].first + at;
-    if (counts(node)) marked[sets.find(node).root] = true;
+    for (std::uint32_t at = k; nodes_[node].first != 0; at = 7 - k) {
+      node = nodes_[node].first + at;
+      cell = child(cell, at);
+    }
+    const CellPart& part = parts_[nodes_[node].part];
+    const bool from =
+        bit == kCertainly ? is_free(cell, node, neutral) : !part.is_blocked(CellFrame(cell).place(neutral));
+    if (counts(node) && from) marked[sets.find(node).root] = true;
   }
   for (std::uint32_t node = 0; node < nodes_.size(); ++node) {
     if (nodes_[node].first == 0 && counts(node) && marked[sets.find(node).root]) nodes_[node].reach |= bit;
@@ -204,15 +276,21 @@ void MotionVolume::join(std::uint8_t bit) {
 }
 
 void MotionVolume::sum() {
-  for_each([&](const VolumeCell& at) {
-    const double part = share(at.cell);
-    (at.state == CellState::free      ? shares_.free
-     : at.state == CellState::blocked ? shares_.blocked
-     : at.state == CellState::unknown ? shares_.unknown
-                                      : shares_.open) += part;
-    if (at.reachable) shares_.reachable_low += part;
-    if (at.within_reach) shares_.reachable_high += part;
-  });
+  for (std::uint32_t cube = 0; cube < 4; ++cube) {
+    visit_leaves({0, cube}, cube, [&](const RotationCell& cell, std::uint32_t node) {
+      const Node& at = nodes_[node];
+      const CellPart& part = parts_[at.part];
+      const double all = share(cell);
+      const double free = at.state == CellState::free ? all : part.free_share;
+      const double blocked = at.state == CellState::blocked ? all : part.blocked_share;
+      shares_.free += free;
+      shares_.blocked += blocked;
+      if (at.state == CellState::unknown) shares_.unknown += all;
+      if (at.state == CellState::open) shares_.open += std::max(0.0, all - free - blocked);
+      if ((at.reach & kCertainly) != 0) shares_.reachable_low += free;
+      if ((at.reach & kPerhaps) != 0) shares_.reachable_high += all - blocked;
+    });
+  }
 }
 
 }  // namespace impinge

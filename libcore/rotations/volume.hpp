@@ -7,10 +7,14 @@
 /// shares together and in the order in which they were found: the result depends on the joint and the
 /// settings alone, not on time or the number of threads.
 ///
+/// An open cell may be free and blocked in parts (rotations/cell_part.hpp): then only the rest of it is open,
+/// a slab about the border that is as thin as the square of the cell.
+///
 /// The free rotations are an open set, so that a way through them can be moved off the edges and corners of
 /// cells: it goes from cell to cell across common sides. Those that can be reached from the neutral pose
-/// without contact are at least the free cells that are joined to it so through free cells, and at most the
-/// cells that are joined through cells that are not blocked. Theorem 14 (volume).
+/// without contact are at least the free cells, and parts, that are joined to it so through free ones, and at
+/// most what is not blocked of cells that are joined through cells that are not blocked. Two parts are joined
+/// where a rotation on the side between their cells is in both. Theorem 14 (volume).
 #pragma once
 
 #include <algorithm>
@@ -40,7 +44,7 @@ struct VolumeSettings {
 
 /// Shares of all rotations; the first four sum to 1.
 struct VolumeShares {
-  double free = 0.0;            // in every rotation of these cells nothing touches
+  double free = 0.0;            // in every rotation of these cells and parts nothing touches
   double blocked = 0.0;         // in every one something does
   double unknown = 0.0;         // nothing touches, but the ball's mesh ends under the socket
   double open = 0.0;            // the rest
@@ -59,9 +63,10 @@ struct VolumeShares {
 struct VolumeCell {
   RotationCell cell;
   CellState state = CellState::open;
-  bool reachable = false;     // certainly: free and joined to the neutral pose
-  bool within_reach = false;  // perhaps: joined to it by cells that are not blocked
-  CellHint hint;              // of an open or blocked cell: where surfaces may touch
+  bool reachable = false;          // certainly: free and joined to the neutral pose
+  bool within_reach = false;       // perhaps: joined to it by cells that are not blocked
+  CellHint hint;                   // of an open or blocked cell: where surfaces may touch
+  const CellPart* part = nullptr;  // of one that is free or blocked in parts; borrowed from the volume
 };
 
 /// Angles of a turn, degrees from its start: every rotation up to low is free, at high one is blocked.
@@ -80,7 +85,8 @@ class MotionVolume {
   const VolumeShares& shares() const { return shares_; }
   /// Calls visit for each cell, cube by cube in the order of their numbers.
   void for_each(const std::function<void(const VolumeCell&)>& visit) const;
-  /// The cell that holds a rotation, one of them on a border.
+  /// The cell that holds a rotation, one of them on a border; where it is free or blocked in parts, with
+  /// what is known of that rotation.
   VolumeCell at(const Quaternion4& q) const;
   /// The limit of a motion, read off the cells. A turn is a great circle of quaternions, which central
   /// projection shows as straight lines: which angles are within a cell has a closed form. largest_deg in
@@ -92,6 +98,7 @@ class MotionVolume {
     std::uint32_t first = 0;  // of eight children; 0 for none
     CellState state = CellState::open;
     std::uint8_t reach = 0;  // bits: certainly, perhaps
+    std::uint32_t part = 0;  // place in parts_; 0 for none
   };
   struct Open {
     RotationCell cell;
@@ -103,11 +110,14 @@ class MotionVolume {
   void visit_leaves(const RotationCell& cell, std::uint32_t node, const Visit& visit) const;
   std::uint32_t find(const RotationCell& cell) const;
   VolumeCell leaf(const RotationCell& cell, std::uint32_t node) const;
+  bool is_free(const RotationCell& cell, std::uint32_t node, const Quaternion4& q) const;
+  bool meet(const RotationCell& cell, std::uint32_t node, std::size_t side) const;
   void join(std::uint8_t bit);
   void sum();
 
   std::vector<Node> nodes_;      // the four cubes first
   std::vector<CellHint> hints_;  // of each
+  std::vector<CellPart> parts_;  // of open leaves; the first is none
   VolumeShares shares_;
 };
 

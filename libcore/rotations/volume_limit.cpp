@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -54,7 +55,23 @@ HalfAngles within(const RotationCell& cell, const HalfTurn& turn, double sign, d
 struct CellOnWay {
   HalfAngles angles;
   VolumeCell cell;
+  void add_parts(const HalfTurn& way, double sign, std::vector<CellOnWay>& met) const;
 };
+
+// Of an open cell: where the way is in parts of it that are free or blocked.
+void CellOnWay::add_parts(const HalfTurn& way, double sign, std::vector<CellOnWay>& met) const {
+  if (cell.part == nullptr) return;
+  const CellFrame frame(cell.cell);
+  const auto add = [&](CellState state, std::span<const CellPlane> planes) {
+    CellOnWay part{angles, cell};
+    part.cell.state = state;
+    for (const CellPlane& plane : planes) part.angles.keep(way, sign * plane.normal(frame));
+    if (!planes.empty() && !part.angles.empty()) met.push_back(part);
+  };
+  add(CellState::free, cell.part->free);
+  for (std::size_t k = 0; k < cell.part->blocked.size(); ++k)
+    add(CellState::blocked, std::span(cell.part->blocked).subspan(k, 1));
+}
 
 }  // namespace
 
@@ -71,7 +88,11 @@ VolumeLimit MotionVolume::limit(const JointTurn& turn, double largest_deg) const
                          double sign) -> void {
     const HalfAngles angles = within(cell, way, sign, largest);
     if (angles.empty()) return;
-    if (nodes_[node].first == 0) met.push_back({angles, leaf(cell, node)});
+    if (nodes_[node].first == 0) {
+      const CellOnWay at{angles, leaf(cell, node)};
+      met.push_back(at);
+      at.add_parts(way, sign, met);
+    }
     for (std::uint32_t k = 0; k < 8 && nodes_[node].first != 0; ++k)
       self(self, child(cell, k), nodes_[node].first + k, sign);
   };

@@ -51,16 +51,16 @@ TEST_F(VolumeCommand, WritesCellsThatSumToAllRotations) {
   std::istringstream rows(read_bytes(out / "volume.csv"));
   std::string row;
   std::getline(rows, row);
-  EXPECT_EQ(row, "level,cell,w,x,y,z,radius_deg,share,state,reachable");
+  EXPECT_EQ(row, "level,cell,w,x,y,z,radius_deg,share,free,blocked,state,reachable");
   double free = 0.0;
   double all = 0.0;
   while (std::getline(rows, row)) {
     std::vector<std::string> cells;
     std::istringstream line(row + ",");
     for (std::string cell; std::getline(line, cell, ',');) cells.push_back(cell);
-    ASSERT_EQ(cells.size(), 10U) << row;
+    ASSERT_EQ(cells.size(), 12U) << row;
     all += std::stod(cells[7]);
-    free += cells[8] == "free" ? std::stod(cells[7]) : 0.0;
+    free += std::stod(cells[8]);
   }
   EXPECT_NEAR(all, 1.0, kShareError);
   EXPECT_NEAR(free, found["share_low"].get<double>(), 2.0 * kShareError);

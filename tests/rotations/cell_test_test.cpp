@@ -20,6 +20,7 @@
 #include "mesh/generated_pair.hpp"
 #include "mesh/star_shape.hpp"
 #include "reference/meeting_surfaces.hpp"
+#include "rotations/cell_part.hpp"
 #include "rotations/mesh_holes.hpp"
 #include "rotations/rotation_cells.hpp"
 #include "rotations/seen_surface.hpp"
@@ -296,6 +297,50 @@ TEST(TheoremVolume, RadiusIsTheLeast) {
     EXPECT_LE(farthest, angular_radius(cell));
     EXPECT_NEAR(farthest, angular_radius(cell), 1e-7);
   }
+}
+
+// A form is nowhere below its half-space, near half turns and at the seams of the cubes too; the share of
+// what planes leave of a cell is no more than that of random rotations in it, and near to it.
+TEST(CellParts, FormsAndSharesAreLowerBounds) {
+  std::mt19937_64 engine(12);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  const auto vector = [&] { return Vec3(normal(engine), normal(engine), normal(engine)); };
+  double all_lost = 0.0;
+  for (std::size_t round = 0; round < random_cases(); ++round) {
+    const RotationCell cell = any_cell(engine, 1 + static_cast<std::uint32_t>(round % 9));
+    const CellFrame frame(cell);
+    const Vec3 n = vector();
+    const Vec3 x = vector();
+    const double sign = round % 2 == 0 ? 1.0 : -1.0;
+    const double k = n.dot(rotation_of(any_of(cell, engine)) * x);  // 0 within the cell
+    const FormOverCell form = frame.form(n, x, k, sign, 0.0);
+    const CellPlane plane = form.plane();
+    CellPolytope left;
+    ASSERT_TRUE(left.clip(plane, 6));
+    std::size_t within = 0;
+    constexpr std::size_t kDraws = 200;
+    double most = 0.0;
+    double sum = 0.0;
+    for (std::size_t draw = 0; draw < kDraws; ++draw) {
+      const Vec3 t(place(engine), place(engine), place(engine));
+      const Quaternion4 q = point_of(cell, {t[0], t[1], t[2]});
+      EXPECT_LE((frame.place(q) - t).norm(), 1e-9);
+      const double value = sign * (n.dot(rotation_of(q) * x) - k);
+      EXPECT_GE(value * q.squaredNorm(), form.middle + form.slope.dot(t) + form.least - 1e-12);
+      EXPECT_EQ(plane.normal(frame).dot(q) > 0.0, plane.at(t) > 0.0);
+      const double density = 1.0 / (q.squaredNorm() * q.squaredNorm());
+      sum += density;
+      if (plane.at(t) < 0.0) continue;
+      EXPECT_GE(value, 0.0);
+      ++within;
+      most += density;
+    }
+    const double lost = most / sum - left.share(frame) / share(cell);
+    EXPECT_GE(lost, -0.25) << within;
+    if (cell.level >= 4) all_lost += lost / static_cast<double>(random_cases());
+  }
+  EXPECT_LT(all_lost, 0.1);
 }
 
 TEST(RotationCells, SidesMeetSides) {

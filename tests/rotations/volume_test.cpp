@@ -136,6 +136,64 @@ TEST(MotionVolume, IsTheSameAgain) {
   EXPECT_EQ(cells(2, std::span(reached).first(reached.size() / 3), third), once);
 }
 
+// Of a width at which open cells are taken apart. Rotations are drawn from these cells, a third of them moved
+// onto a plane of a part, where a wrong one would be found first. Any number of threads gives the same parts,
+// also where verdicts were known; limits that are read off them hold those of turns.
+TEST(MotionVolume, PartsOfCellsAreFreeAndBlocked) {
+  const Hip hip = make_hip(hip_preset("cam"), 1000);
+  const BallSocketPair joint{hip.ball, hip.socket};
+  const CellTest test(joint);
+  std::vector<CellVerdict> reached;
+  VolumeSettings settings = {.width = 0.03, .threads = 1};
+  settings.reached = [&](std::span<const CellVerdict> batch, double) {
+    reached.insert(reached.end(), batch.begin(), batch.end());
+  };
+  const MotionVolume volume(test, settings);
+  const MotionVolume again(test, {.width = 0.03, .threads = 3, .known = std::span(reached).first(20000)});
+  EXPECT_EQ(again.shares().free, volume.shares().free);
+  EXPECT_EQ(again.shares().blocked, volume.shares().blocked);
+  EXPECT_EQ(again.shares().reachable_low, volume.shares().reachable_low);
+  EXPECT_EQ(again.shares().cells, volume.shares().cells);
+  std::vector<VolumeCell> parted;
+  double whole = 0.0;
+  volume.for_each([&](const VolumeCell& at) {
+    if (at.part != nullptr) parted.push_back(at);
+    if (at.state == CellState::free) whole += share(at.cell);
+  });
+  EXPECT_GT(volume.shares().free, whole + 0.005);
+  test::ExactTouch overlay(joint);
+  test::Dice dice(35);
+  std::array<std::size_t, 2> asked{};
+  for (std::size_t k = 0; k < 10 * random_cases(); ++k) {
+    const VolumeCell& at =
+        parted[static_cast<std::size_t>(dice.whole(0, static_cast<int>(parted.size()) - 1))];
+    Vec3 t(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));
+    const std::vector<CellPlane>& planes = k % 2 == 0 ? at.part->free : at.part->blocked;
+    if (k % 3 == 0 && !planes.empty()) {
+      const CellPlane& plane = planes[k % planes.size()];
+      const Vec3 slope(plane.slope[0], plane.slope[1], plane.slope[2]);
+      t -= (plane.at(t) - 1e-7) * slope / slope.squaredNorm();
+      t = t.cwiseMax(-1.0).cwiseMin(1.0);
+    }
+    const Quaternion4 q = point_of(at.cell, {t[0], t[1], t[2]});
+    const CellState state = volume.at(q).state;
+    if (state != CellState::free && state != CellState::blocked) continue;
+    EXPECT_EQ(overlay.impinged({rotation_of(q), Vec3::Zero()}), state == CellState::blocked)
+        << at.cell.level << " " << at.cell.number << " " << t.transpose();
+    ++asked[state == CellState::free ? 0 : 1];
+  }
+  EXPECT_GT(asked[0], random_cases());
+  EXPECT_GT(asked[1], random_cases());
+  const TurnLimits limits(joint);
+  for (const NamedMotion& motion : named_motions()) {
+    const JointTurn turn = joint_turn(motion.start, motion_name(motion.growing), Side::left);
+    const VolumeLimit read = volume.limit(turn, 120.0);
+    const TurnLimit exact = limits.first_contact(turn, 120.0);
+    EXPECT_LE(read.low_deg, exact.high_deg + 1e-6) << motion.name;
+    EXPECT_GE(read.high_deg.value_or(180.0), exact.low_deg - 1e-6) << motion.name;
+  }
+}
+
 // A ball that is a cap of 60 degrees about +z under a socket that covers 20 degrees about it: after a tilt of
 // 40 the socket sees beyond the mesh, where nothing touches.
 TEST(MotionVolume, SaysWhereTheMeshOfTheBallEnds) {

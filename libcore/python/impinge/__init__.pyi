@@ -312,7 +312,7 @@ class CertifyAnswer(TypedDict):
 
 class Volume(VolumeAnswer):
     """A row a cell: level, cell (its number), w, x, y, z (quaternion in its middle, the largest coordinate 1: a rotation of the
-    ball, axes right, anterior, superior), radius_deg, share, state (0 free, 1 blocked, 2 unknown, 3 undecided) and reachable
+    ball, axes right, anterior, superior), radius_deg, share, free, blocked, state (0 free, 1 blocked, 2 unknown, 3 undecided) and reachable
     (1 certainly, 0 certainly not, -1 not known)."""
 
     cells: NDArray[Any]
