@@ -599,9 +599,9 @@ bool CellSearch::keep_apart(Parted& at, const PosedFace& socket, const Direction
   if (ball.range.high < socket.range.low * (1.0 - kTolerance)) return true;
   if ((ball.cap.axis - socket.axis).norm() > ball.cap.radius + socket.face->cap.radius + asked.angle.radius)
     return true;
-  // Is its plane within all of the socket's face?
-  if (least_over(ball.plane, socket.axis, at.about) * socket.range.low >
-      1.0 + 2.0 * (ball.doubt + kTolerance))
+  // Is its plane within all of the socket's face, wherever the cell takes it?
+  const double ratio = at.about.wide ? 0.0 : least_over(ball.plane, socket.axis, at.about) * socket.range.low;
+  if (ratio > 1.0 && ratio > 1.0 + (ball.doubt + kTolerance) * (2.0 + ball.plane.norm() * socket.range.low))
     return true;
   PairForms pair{socket, ball, DirectionPolygon(ball.corner), DirectionPolygon(socket.corner),
                  (ball.doubt + socket.face->doubt + kTolerance) * (ball.plane.norm() + socket.plane.norm())};
