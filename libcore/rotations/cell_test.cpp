@@ -522,6 +522,7 @@ bool CellSearch::take_blocked(Parted& at, const CellHint& hint) {
       if (const auto form = block_form(at, of, reach)) forms.push_back(*form);
   }
   std::vector<CellPlane> planes;
+  planes.reserve(forms.size());
   for (const FormOverCell& form : forms) planes.push_back(form.plane());
   std::stable_sort(planes.begin(), planes.end(),
                    [](const CellPlane& a, const CellPlane& b) { return a.offset > b.offset; });
