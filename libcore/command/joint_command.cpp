@@ -74,17 +74,22 @@ Answered ask(const JointCommand& command, const JointOptions& options, const Wor
              const Screen& screen) {
   Stopwatch watch;
   const QuestionCommand& question = command.question;
-  question.use_cartilage(options.cartilage_mm);
+  if (options.cartilage_mm) question.use_cartilage(*options.cartilage_mm);
   Session session = load_joint(options, question.scan_contact());
+  std::string said = describe_joint(options, session.joint->joint);
+  if (options.cartilage_of_scan) {
+    const double thickness = cartilage_of_scan(*session.joint);
+    question.use_cartilage(thickness);
+    said += formatted("cartilage           %g mm, the smallest gap as scanned\n", thickness);
+  }
   const double read_ms = watch.lap_ms();
   const Joint& joint = session.joint->joint;
-  if (!command.json) screen.out << describe_joint(options, joint) << std::flush;
+  if (!command.json) screen.out << said << std::flush;
   for (const std::string& warning : joint.warnings)
     screen.log << "impinge: warning: " << one_line(warning) << std::endl;
   Answered answered{.told = question.ask(session, work), .document = {}};
-  const Json said = json_of(describe(*session.joint, names_of(options)));
-  answered.document =
-      document_of(question, said, answered.told, {{"read", read_ms}, {"answer", watch.lap_ms()}});
+  answered.document = document_of(question, json_of(describe(*session.joint, names_of(options))),
+                                  answered.told, {{"read", read_ms}, {"answer", watch.lap_ms()}});
   return answered;
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command/joint_options.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -23,8 +26,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kOverlapStep = 0.1;  // mm
+constexpr double kMostOverlap = 5.0;  // mm; deeper, it is not the bones that rest on each other
+
 // A number is one thickness, anything else a file.
 void set_cartilage(const std::string& text, JointOptions& options) {
+  options.cartilage_of_scan = text == "scan";
+  if (options.cartilage_of_scan) return;
   const std::optional<double> value = finite_number(text);
   std::error_code unreadable;
   if (!value && fs::exists(text, unreadable)) {
@@ -35,7 +43,7 @@ void set_cartilage(const std::string& text, JointOptions& options) {
     throw CLI::ValidationError("--cartilage",
                                "'" + text +
                                    "' is no thickness and no file; give a number of mm, 0 or more, "
-                                   "or a CSV of x,y,z,thickness_mm");
+                                   "scan, or a CSV of x,y,z,thickness_mm");
   }
 }
 
@@ -49,7 +57,7 @@ void use_description(const CLI::App& command, const fs::path& file, JointOptions
   if (open("--landmarks")) options.landmarks = said.landmarks;
   if (open("--ball-part")) options.ball_parts = said.ball_parts;
   if (open("--socket-part")) options.socket_parts = said.socket_parts;
-  if (open("--cartilage") && said.cartilage_mm) options.cartilage_mm = *said.cartilage_mm;
+  if (open("--cartilage") && said.cartilage_mm) options.cartilage_mm = said.cartilage_mm;
 }
 
 // A file of bone, or the largest of its pieces alone, which `said` then tells.
@@ -119,9 +127,11 @@ std::function<void()> add_joint_options(CLI::App& command, JointOptions& options
   add("--landmarks", options.landmarks, "FILE",
       "points of 3D Slicer (.mrk.json, .fcsv, its table), or a CSV label,x,y,z, that give the frames of "
       "pelvis and femur");
-  read("--cartilage", "MM|FILE",
-       "thickness of both layers together [4], or a CSV of it by place: x,y,z,thickness_mm",
-       [](Text text, const char* /*name*/, JointOptions& of) { set_cartilage(text, of); });
+  read(
+      "--cartilage", "MM|scan|FILE",
+      "thickness of both layers together [none for limits, else 4], the smallest gap as scanned, or a CSV of "
+      "it by place: x,y,z,thickness_mm",
+      [](Text text, const char* /*name*/, JointOptions& of) { set_cartilage(text, of); });
   read("--keep", "all|largest", "of each file all pieces, or the largest alone [all]",
        [](Text word, const char* name, JointOptions& of) {
          constexpr std::array<std::string_view, 2> kWords{"all", "largest"};
@@ -129,7 +139,12 @@ std::function<void()> add_joint_options(CLI::App& command, JointOptions& options
        });
   add("--overlap", options.overlap_mm, "MM",
       "depth along a ray to which the surfaces may overlap without contact [0]")
-      ->check(in_range(kNotNegative));
+      ->check(in_range(kNotNegative))
+      ->excludes(
+          describe(command.add_flag("--ignore-rest-contact", options.ignore_rest_contact,
+                                    "what comes on top of contact as scanned: --overlap of the least tenth "
+                                    "of a millimetre that leaves none"),
+                   ""));
   add("--config", options.config, "FILE",
       "JSON with side, axes, centre, parts, landmarks, cartilage_mm of the joint");
   return [&command, &options] {
@@ -162,14 +177,38 @@ Session load_joint(const JointOptions& options, const ScanContactOptions& told) 
   input.axes = agreed_axes(options.ball, options.socket, options.axes, "--axes").code;
   input.overlap_mm = options.overlap_mm;
   input.wording.meshes = "BALL and SOCKET";
-  Joint joint = assemble_joint(std::move(input));
-  if (options.cartilage_map) joint.cartilage = read_cartilage(*options.cartilage_map, joint.centre);
-  if (options.landmarks) use_landmarks(*options.landmarks, options.side, joint);
-  joint.warnings.insert(joint.warnings.end(), said.begin(), said.end());
-  const std::string axes = joint.axes;
-  Session session(std::move(joint), options.side, axes);
+  const auto made = [&] {
+    Joint joint = assemble_joint(input);
+    if (options.cartilage_map) joint.cartilage = read_cartilage(*options.cartilage_map, joint.centre);
+    if (options.landmarks) use_landmarks(*options.landmarks, options.side, joint);
+    joint.warnings.insert(joint.warnings.end(), said.begin(), said.end());
+    const std::string axes = joint.axes;
+    return Session(std::move(joint), options.side, axes);
+  };
+  Session session = made();
+  while (options.ignore_rest_contact) {
+    const TouchAnswer rest = touch_in(*session.joint, scanned_pose(*session.joint));
+    if (rest.contact.state != Contact::yes) break;
+    const double depth = rest.smallest_gap ? std::max(0.0, -rest.smallest_gap->gap_mm) : 0.0;
+    input.overlap_mm += kOverlapStep * std::max(1.0, std::floor(depth / kOverlapStep));
+    if (input.overlap_mm > kMostOverlap)
+      throw std::runtime_error(
+          formatted("--ignore-rest-contact: the bones touch as scanned even where they may overlap by %g mm; "
+                    "check the centre, the frame and the segmentation of both",
+                    kMostOverlap));
+    session = made();
+  }
   warn_of_contact(*session.joint, told);
   return session;
+}
+
+double cartilage_of_scan(SessionJoint& joint) {
+  const auto gap = touch_in(joint, scanned_pose(joint)).smallest_gap;
+  const double thickness = gap ? std::floor(100.0 * gap->gap_mm) / 100.0 : 0.0;
+  if (!(thickness > 0.0))
+    throw std::runtime_error(
+        "--cartilage scan: the bones as scanned leave no gap for it; give a thickness in mm");
+  return thickness;
 }
 
 std::string describe_joint(const JointOptions& options, const Joint& joint) {
@@ -177,6 +216,11 @@ std::string describe_joint(const JointOptions& options, const Joint& joint) {
                      describe_taken(options.socket, Surface::socket, joint.socket);
   if (!options.axes && joint.axes != "RAS")
     text += "axes                " + joint.axes + ", as the headers of the meshes say\n";
+  if (options.ignore_rest_contact)
+    text += joint.overlap_mm > 0.0
+                ? formatted("rest contact        ignored: the ball is taken %g mm smaller along each ray\n",
+                            joint.overlap_mm)
+                : "rest contact        none: there is nothing to ignore\n";
   if (!joint.frames) return text;
   text +=
       formatted("landmarks           pelvic tilt %.1f degrees in the scan", joint.frames->pelvic_tilt_deg);

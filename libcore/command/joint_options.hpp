@@ -24,6 +24,7 @@ struct JointOptions {
   std::vector<std::filesystem::path> socket_parts{};  // beside the socket
   bool keep_largest = false;                          // of each file only the largest piece
   double overlap_mm = 0.0;                            // along a ray, that is no contact (hip/joint.hpp)
+  bool ignore_rest_contact = false;                   // the least overlap that leaves none as scanned
   std::optional<Vec3> centre{};                       // fitted to the ball if not given
   std::optional<Side> side{};                         // of the body; abduction and rotation need it
   std::optional<std::string> axes{};  // of the meshes (hip/anatomy.hpp), else as their headers say
@@ -31,7 +32,8 @@ struct JointOptions {
   std::optional<std::filesystem::path>
       cartilage_map{};                            // instead of one thickness (joint/cartilage_file.hpp)
   std::optional<std::filesystem::path> config{};  // that says more of these
-  double cartilage_mm = 4.0;                      // both layers together; the thesis' value
+  std::optional<double> cartilage_mm{};           // both layers together; the request has its own otherwise
+  bool cartilage_of_scan = false;                 // instead: cartilage_of_scan()
 };
 
 /// Adds them to a command, --config among them: what a file says counts where the command line says nothing.
@@ -47,6 +49,10 @@ JointNames names_of(const JointOptions& options);
 /// Reads the meshes and examines them. What looks wrong becomes a warning of the joint; `told` says which
 /// contact as scanned is worth one. FileError or std::runtime_error, one line, for what cannot be used.
 Session load_joint(const JointOptions& options, const ScanContactOptions& told);
+
+/// The thickness that the scan leaves for cartilage: its smallest gap, mm, rounded down to 0.01.
+/// std::runtime_error where there is none.
+double cartilage_of_scan(SessionJoint& joint);
 
 /// What was taken of whole bones, and what landmarks and headers said, as lines for a terminal; often none.
 std::string describe_joint(const JointOptions& options, const Joint& joint);

@@ -42,20 +42,26 @@ std::string row_of(const std::vector<std::string>& cells) {
   return line.erase(line.find_last_not_of(' ') + 1) + "\n";
 }
 
-// Of each motion a line: contact about the ball's centre, and the gap of the cartilage.
+// Of each motion a line: contact about the ball's centre, and the gap of the cartilage where one is given.
 std::string table_of(const LimitsAnswer& found) {
+  const auto with_gap = [](const LimitAnswer& limit) { return limit.told.threshold_mm > 0.0; };
+  const bool any_gap = std::any_of(found.limits.begin(), found.limits.end(), with_gap);
+  const auto row = [any_gap](std::vector<std::string> cells) {
+    if (!any_gap) cells.erase(cells.end() - 2);
+    return row_of(cells);
+  };
   std::string text =
-      row_of({"limits, degrees", "bone on bone", formatted("centres within %g mm", found.centre_within_mm),
-              "o'clock", "gap of cartilage", "what meets, and doubts"});
+      row({"limits, degrees", "bone on bone", formatted("centres within %g mm", found.centre_within_mm),
+           "o'clock", "gap of cartilage", "what meets, and doubts"});
   for (const LimitAnswer& limit : found.limits) {
-    if (limit.told.threshold_mm > 0.0 || limit.centre == "socket") continue;
+    if (with_gap(limit) || limit.centre == "socket") continue;
     const auto gap = std::find_if(found.limits.begin(), found.limits.end(), [&](const LimitAnswer& other) {
-      return other.motion == limit.motion && other.told.threshold_mm > 0.0;
+      return other.motion == limit.motion && with_gap(other);
     });
     const bool limited = limit.told.limit.state == LimitState::limited;
-    text += row_of({limit.motion, bracket(limit.told.limit), limited ? range_text(limit.told.common) : "",
-                    limit.clock().value_or(""), gap == found.limits.end() ? "" : bracket(gap->told.limit),
-                    limit.what()});
+    text += row({limit.motion, bracket(limit.told.limit), limited ? range_text(limit.told.common) : "",
+                 limit.clock().value_or(""), gap == found.limits.end() ? "" : bracket(gap->told.limit),
+                 limit.what()});
   }
   return text;
 }

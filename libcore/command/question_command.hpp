@@ -90,8 +90,8 @@ struct QuestionCommand {
 template <class Request>
 ScanContactOptions scan_contact_of(const Request& request) {
   if constexpr (requires { request.threshold_mm(); })
-    return {"--overlap", request.threshold_mm(), Request::kThresholdOption};
-  return {.overlap = "--overlap"};
+    return {"--ignore-rest-contact", request.threshold_mm(), Request::kThresholdOption};
+  return {.overlap = "--ignore-rest-contact"};
 }
 
 /// The files that a request names.

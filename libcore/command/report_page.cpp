@@ -213,10 +213,12 @@ std::string input_section(const ReportParts& parts) {
                       fact("Axes of the meshes", text_or(joint["axes"]) + " (where +x, +y, +z point)") +
                       fact("Centre of rotation", centre_text) +
                       fact("Pose shown", pose_words(parts.request["pose"]));
-  facts += fact("Cartilage",
-                joint["cartilage_map"].is_null()
-                    ? formatted("%g mm, both layers together", parts.request["cartilage_mm"].get<double>())
-                    : std::string("a map, both layers together"));
+  facts += fact("Cartilage", joint["cartilage_map"].is_null()
+                                 ? formatted("%g mm, both layers together",
+                                             parts.request.value("cartilage_mm", Json()).is_number()
+                                                 ? parts.request["cartilage_mm"].get<double>()
+                                                 : GapsRequest().cartilage_mm)
+                                 : std::string("a map, both layers together"));
   if (joint["landmarks"].is_object())
     facts +=
         fact("Angles are counted from", formatted("neutral, by landmarks (pelvic tilt %.1f° in the scan)",

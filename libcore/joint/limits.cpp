@@ -57,6 +57,18 @@ Vec3 point_of(SessionJoint& joint, Surface of, const Vec3& place, double within_
 }
 
 // The dial and the places are about the joint's centre, the meeting about the centre of the turn.
+// The bodies that touch where a turn begins, if one is a part: the deepest vertex is not of them.
+std::optional<BodyPairs::Pair> blocked_by_part(const CentredLimits& centred, const JointTurn& turn,
+                                               const ToldLimit& told) {
+  if (told.limit.state != LimitState::blocked || told.threshold_mm != 0.0) return std::nullopt;
+  const BodyPairs::Pair pair = centred.limits.verdict(turn, 0.0).pair;
+  return pair.ball + pair.socket > 0 ? std::optional(pair) : std::nullopt;
+}
+
+std::string body_or(const std::string& otherwise, const std::vector<MeshPart>& parts, std::size_t body) {
+  return body > 0 ? body_name(parts, body) : otherwise;
+}
+
 LimitAnswer answered(Session& session, const LimitRequest& asked, Surface about, double threshold) {
   SessionJoint& joint = *session.joint;
   const bool of_socket = about == Surface::socket;
@@ -71,6 +83,11 @@ LimitAnswer answered(Session& session, const LimitRequest& asked, Surface about,
   limit.centre_of_rotation = joint.joint.centre + joint.axes.transpose() * centred.centre;
   if (const auto& contact = limit.told.limit.contact)
     limit.position = joint.axes.transpose() * contact->place + limit.centre_of_rotation;
+  if (const auto pair = blocked_by_part(centred, turn, limit.told)) {
+    limit.ball_part = body_or("ball", joint.joint.ball.parts, pair->ball);
+    limit.socket_part = body_or("socket", joint.joint.socket.parts, pair->socket);
+    return limit;
+  }
   const auto at = meeting_of(centred, turn, limit.told);
   if (!at) return limit;
   if (joint.dial) limit.hours = joint.dial->hours(at->place + centred.centre);

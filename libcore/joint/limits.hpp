@@ -22,7 +22,7 @@ struct LimitRequest {
   std::string_view motion{};        // what answers call it; `growing` where it is empty
   double largest_deg = 360.0;       // of the growth; cut to largest_growth() (hip/motion.hpp)
   Vec3 translation = Vec3::Zero();  // shift of the ball, mm, input frame
-  double cartilage_mm = 4.0;        // both layers together
+  double cartilage_mm = 0.0;        // both layers together; 0: contact alone
 };
 
 /// The smallest gap at each step to the largest angle, by the tables.
@@ -38,7 +38,7 @@ struct LimitsRequest {
   std::optional<Motion> pose;
   double largest_deg = 360.0;
   std::optional<Vec3> translation;
-  double cartilage_mm = 4.0;
+  double cartilage_mm = 0.0;
 
   static constexpr std::tuple fields{
       Field{"motions", "",
@@ -51,8 +51,9 @@ struct LimitsRequest {
       Field{"largest_deg", "deg", "growth that is looked at", &LimitsRequest::largest_deg, kPositive},
       Field{"translation", "mm", "X,Y,Z by which the ball is shifted first, frame of the meshes [none]",
             &LimitsRequest::translation},
-      Field{"cartilage_mm", "mm", "thickness of both layers together", &LimitsRequest::cartilage_mm,
-            kNotNegative}};
+      Field{"cartilage_mm", "mm",
+            "thickness of both layers together: where the gap falls to it, too; 0: contact alone",
+            &LimitsRequest::cartilage_mm, kNotNegative}};
   /// std::invalid_argument for a motion that there is not, and for a pose of one that has its own.
   void check() const;
   /// Gaps up to this are asked about, too.

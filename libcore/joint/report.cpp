@@ -16,10 +16,10 @@ ReportAnswer answer(Session& session, const ReportRequest& request, VolumeSettin
     throw std::invalid_argument("side: a report needs to know it; give left or right");
   GapsRequest gaps;
   gaps.pose = request.pose;
-  gaps.cartilage_mm = request.cartilage_mm;
+  if (request.cartilage_mm) gaps.cartilage_mm = *request.cartilage_mm;
   gaps.outputs = {Output::gaps, Output::verdicts};
   LimitsRequest limits;
-  limits.cartilage_mm = session.joint->joint.cartilage ? 0.0 : request.cartilage_mm;
+  limits.cartilage_mm = session.joint->joint.cartilage ? 0.0 : request.cartilage_mm.value_or(0.0);
   ReportAnswer found{answer(session, gaps), {}, {}, {}};
   if (request.has(ReportPart::limits)) found.limits = answer(session, limits);
   if (request.has(ReportPart::measures)) found.measures = answer(session, MeasureRequest{});

@@ -24,7 +24,7 @@ struct ReportRequest {
   Motion pose;
   std::vector<ReportPart> without;
   double width = 0.2;
-  double cartilage_mm = 4.0;
+  std::optional<double> cartilage_mm;
 
   static constexpr std::tuple fields{
       Field{"pose", "", "whose gaps are shown, as flexion=90,internal_rotation=10 [the pose of the scan]",
@@ -32,11 +32,11 @@ struct ReportRequest {
       Field{"without", "", "what is left out; `volume` takes longest [nothing]", &ReportRequest::without},
       Field{"width", "1", "of the volume: share of all rotations that may stay undecided, up to 1",
             &ReportRequest::width, Range{.least = 0.0, .most = 1.0, .above = true}},
-      Field{"cartilage_mm", "mm", "thickness of both layers together", &ReportRequest::cartilage_mm,
-            kNotNegative}};
+      Field{"cartilage_mm", "mm", "thickness of both layers together [4 for gaps, none for limits]",
+            &ReportRequest::cartilage_mm, kNotNegative}};
   bool has(ReportPart part) const;
   /// Gaps up to this are asked about, too.
-  double threshold_mm() const { return has(ReportPart::limits) ? cartilage_mm : 0.0; }
+  double threshold_mm() const { return has(ReportPart::limits) ? cartilage_mm.value_or(0.0) : 0.0; }
   static constexpr const char* kThresholdOption = "--cartilage";
 };
 

@@ -133,13 +133,12 @@ std::string describe_contact(const TouchAnswer& found, const std::string& pose,
                              const ScanContactOptions& options) {
   if (found.contact.state != Contact::yes) return {};
   const auto& gap = found.smallest_gap;
-  const bool overlap = gap && gap->gap_mm < 0.0;
+  const bool of_parts = found.contact.ball_part || found.contact.socket_part;  // rays know nothing of them
+  const bool overlap = gap && gap->gap_mm < 0.0 && !of_parts;
   const std::string depth =
       overlap ? ", " + rounded_up(-gap->gap_mm, 3) + " mm deep along a ray" + place_of(*gap) : "";
   const std::string on_top =
-      overlap && !options.overlap.empty()
-          ? "; " + options.overlap + " with a little more than that depth asks for what comes on top"
-          : "";
+      overlap && !options.overlap.empty() ? "; " + options.overlap + " asks for what comes on top" : "";
   return both_of(found.contact) + " touch " + pose + depth +
          ": what begins there is blocked; check the centre, the frame and the segmentation of both (a head "
          "and a liner of one nominal radius need their play)" +
@@ -155,17 +154,20 @@ std::string describe_threshold(const TouchAnswer& found, const std::string& pose
          ": what asks for a gap of that size is blocked from the start; give less";
 }
 
-void warn_of_contact(SessionJoint& joint, const ScanContactOptions& options) {
+Pose scanned_pose(const SessionJoint& joint) {
   const auto& frames = joint.joint.frames;
-  const bool turned = frames && frames->femur;
+  Pose scanned;
+  if (frames && frames->femur) scanned.rotation = frames->femur->transpose() * frames->pelvis;
+  return scanned;
+}
+
+void warn_of_contact(SessionJoint& joint, const ScanContactOptions& options) {
+  const bool turned = joint.joint.frames && joint.joint.frames->femur;
   const std::string start = turned ? "in the neutral pose of the landmarks" : "as scanned";
   const TouchAnswer found = touch_in(joint, Pose());
   warn(describe_contact(found, start, options), joint);
   if (options.threshold_mm > 0.0) warn(describe_threshold(found, start, options), joint);
-  if (!turned) return;
-  Pose scanned;
-  scanned.rotation = frames->femur->transpose() * frames->pelvis;
-  warn(describe_contact(touch_in(joint, scanned), "as scanned", options), joint);
+  if (turned) warn(describe_contact(touch_in(joint, scanned_pose(joint)), "as scanned", options), joint);
 }
 
 }  // namespace impinge

@@ -118,7 +118,7 @@ std::string describe(const ContactDocument& contact);
 
 /// How a reader gives what the lines below tell him to; empty: he cannot.
 struct ScanContactOptions {
-  std::string overlap{};      // an overlap that is no contact (JointInput::overlap_mm)
+  std::string overlap{};      // what makes an overlap no contact (JointInput::overlap_mm)
   double threshold_mm = 0.0;  // gaps of this size or less are asked about, too; 0: none are
   std::string threshold{};    // the option that gave it
 };
@@ -133,6 +133,9 @@ std::string describe_contact(const TouchAnswer& found, const std::string& pose,
 /// gap of that size is "blocked"; else empty.
 std::string describe_threshold(const TouchAnswer& found, const std::string& pose,
                                const ScanContactOptions& options);
+
+/// The pose of the scan: of landmarks of a femur the one that they turned to neutral.
+Pose scanned_pose(const SessionJoint& joint);
 
 /// Adds these lines to the warnings of the joint for the pose that motions begin at, that of the scan; where
 /// landmarks of the femur turned the ball to neutral, for both.

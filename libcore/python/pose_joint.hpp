@@ -21,7 +21,7 @@ class PoseJoint {
  public:
   PoseJoint(Joint joint, std::optional<Side> side, const std::string& axes)
       : axes_(axes), session_(std::move(joint), side, axes) {
-    warn_of_contact(*session_.joint, {.overlap = "overlap_mm="});
+    warn_of_contact(*session_.joint, {.overlap = "overlap_mm= of a little more than that depth"});
   }
   PoseJoint(const PoseJoint&) = delete;
   PoseJoint& operator=(const PoseJoint&) = delete;

@@ -109,8 +109,34 @@ TEST_F(JointWarnings, ContactAsScannedIsSaidOfEveryQuestion) {
     const std::string& line = lines[0];
     EXPECT_EQ(line.rfind("ball and socket touch as scanned, 0.2", 0), 0U) << line;
     EXPECT_NE(line.find(" o'clock: what begins there is blocked; check the centre"), line.npos) << line;
-    EXPECT_NE(line.find("; --overlap with a little more than that depth asks for"), line.npos) << line;
+    EXPECT_NE(line.find("; --ignore-rest-contact asks for what comes on top"), line.npos) << line;
   }
+}
+
+// A ball of the socket's radius, 0.3 mm deeper, and one that its socket cannot hold.
+TEST_F(JointWarnings, ContactAsScannedIsIgnoredUpToItsDepth) {
+  options_.ignore_rest_contact = true;
+  for (const auto& [radius, overlap] : {std::pair{22.0, 0.0}, {25.0, 0.1}, {25.25, 0.3}}) {
+    options_.ball = written("ball.ply", sphere(radius, 3000));
+    EXPECT_EQ(said(), Lines()) << radius;
+    Session session = load_joint(options_, {});
+    EXPECT_NEAR(session.joint->joint.overlap_mm, overlap, 0.11) << radius;
+    EXPECT_EQ(touch_in(*session.joint, Pose()).contact.state, Contact::no);
+    const LimitsAnswer limits = answer(session, LimitsRequest{});  // of a ball alone, in its cup
+    for (const LimitAnswer& limit : limits.limits) EXPECT_NE(limit.told.limit.state, LimitState::blocked);
+  }
+  options_.ball = written("ball.ply", sphere(22.0, 3000));
+  options_.socket_parts = {written("spur.ply", sphere(8.0, 300, {0.0, 0.0, 20.0}))};
+  const std::string refused = test::thrown<std::runtime_error>([&] { load_joint(options_, {}); });
+  EXPECT_EQ(refused.rfind("--ignore-rest-contact: the bones touch as scanned even where they may", 0), 0U);
+}
+
+TEST_F(JointWarnings, CartilageOfTheScanIsItsSmallestGap) {
+  EXPECT_NEAR(cartilage_of_scan(*load_joint(options_, {}).joint), 2.98, 0.021);  // faces are flat
+  options_.ball = written("ball.ply", sphere(25.25, 3000));
+  const std::string refused =
+      test::thrown<std::runtime_error>([&] { cartilage_of_scan(*load_joint(options_, {}).joint); });
+  EXPECT_EQ(refused.rfind("--cartilage scan: the bones as scanned leave no gap", 0), 0U) << refused;
 }
 
 // As a smaller ball has it: where the whole overlap is allowed there is a gap.
@@ -132,6 +158,8 @@ TEST_F(JointWarnings, AnOverlapThatIsAllowedIsNoContact) {
 TEST_F(JointWarnings, AGapBelowWhatIsAskedForIsSaidOfThatQuestionAlone) {
   EXPECT_EQ(said(), Lines());
   LimitsRequest limits;
+  EXPECT_EQ(said(scan_contact_of(limits)), Lines());  // contact alone
+  limits.cartilage_mm = 4.0;
   const Lines lines = said(scan_contact_of(limits));
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].rfind("the smallest gap as scanned is 2.9", 0), 0U) << lines[0];
@@ -146,19 +174,22 @@ TEST_F(JointWarnings, AGapBelowWhatIsAskedForIsSaidOfThatQuestionAlone) {
 }
 
 TEST(ScanContact, WhatIsNotKnownIsLeftOutOfTheWords) {
-  const ScanContactOptions options{.overlap = "--overlap", .threshold_mm = 4.0, .threshold = "--cartilage"};
+  const ScanContactOptions options{
+      .overlap = "--ignore-rest-contact", .threshold_mm = 4.0, .threshold = "--cartilage"};
   TouchAnswer found;
   const auto said = [&] { return describe_contact(found, "as scanned", options); };
   EXPECT_EQ(said(), "");
   found.contact = {Contact::yes, ContactRule::surfaces, "trochanter", "spine"};
   EXPECT_EQ(said().rfind("trochanter and spine touch as scanned: what begins", 0), 0U);
-  EXPECT_EQ(said().find("--overlap"), std::string::npos);
+  EXPECT_EQ(said().find("--ignore"), std::string::npos);
   EXPECT_EQ(describe_threshold(found, "as scanned", options), "");
   found.smallest_gap.emplace().gap_mm = -1.25;
+  EXPECT_EQ(said().find("deep along a ray"), std::string::npos);  // of other bones
+  found.contact = {Contact::yes, ContactRule::surfaces, {}, {}};
   EXPECT_NE(said().find("as scanned, 1.250 mm deep along a ray: what"), std::string::npos);
   found.smallest_gap->hours = 1.5;
   EXPECT_NE(said().find("1.250 mm deep along a ray at 1:30 o'clock: "), std::string::npos);
-  EXPECT_NE(said().find("--overlap"), std::string::npos);
+  EXPECT_NE(said().find("; --ignore-rest-contact asks"), std::string::npos);
 }
 
 }  // namespace
