@@ -51,11 +51,13 @@ std::string unexpected(const CLI::App& program) {
   std::vector<std::string> names;
   for (const CLI::Option* one : command.get_options()) names.push_back(one->get_name());
   const std::string_view near = near_word(name, std::vector<std::string_view>(names.begin(), names.end()));
-  std::string text = name + ": is no option of " + full_name(command);
+  const std::string text = name + ": is no option of " + full_name(command);
   if (!near.empty()) return text + "; did you mean " + std::string(near) + "?";
+  std::string others;
   for (const CLI::App* other : program.get_subcommands({}))
-    if (other->get_option_no_throw(name) != nullptr) text += ", but of " + full_name(*other);
-  return text;
+    if (other->get_option_no_throw(name) != nullptr)
+      others += (others.empty() ? ", but of " : " and ") + full_name(*other);
+  return text + others;
 }
 
 // What is wrong with the command line. What says "clearance_mm: " of a request says "--clearance: " here.

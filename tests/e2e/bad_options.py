@@ -28,7 +28,7 @@ REFUSED = {
     "{option}: '{last}' is no place; give three numbers in mm as X,Y,Z": ["touch --centre middle", "touch --centre 1,2,nan", "limits --translation 1,2"],
     "--axes: axis code '{last}' is left-handed and would mirror the patient; name where +x, +y and +z point with one letter each of "
     "R/L, A/P and S/I, as RAS or LPS": ["touch --axes LAS"],
-    "--cartilage: '{last}' is no thickness and no file; give a number of mm, 0 or more, or a CSV of x,y,z,thickness_mm": [
+    "--cartilage: '{last}' is no thickness and no file; give a number of mm, 0 or more, scan, or a CSV of x,y,z,thickness_mm": [
         "gaps --cartilage -1", "limits --cartilage 4mm",
     ],
     f"{{option}}: unknown motion 'bend'; {MOTIONS}": [
@@ -65,7 +65,7 @@ REFUSED = {
     # What nothing expects, or is empty, as a script types what is not set; what may ruin a line, or a terminal.
     "'stray' was not expected": ["touch stray"],
     "--precison: is no option of impinge gaps; did you mean --precision?": ["gaps --precison=1"],
-    "--width: is no option of impinge touch, but of impinge volume": ["touch --width 0.1"],
+    "--width: is no option of impinge touch, but of impinge volume and impinge report": ["touch --width 0.1"],
     "{option}: is empty; give it a value or leave it out": [f"gaps {option} ''" for option in ("--ball-part", "--side", "--precision", "--outputs")],
     "--side: there is no 'up and [2J away'; there are left, right": ["touch --side 'up\nand\x1b[2J away'"],
     "--colour red: is no option of impinge touch": ["touch '--colour\nred'"],
