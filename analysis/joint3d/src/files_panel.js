@@ -4,6 +4,7 @@ import { byId, make } from "./elements.js";
 import { BadFile, readMesh, sortFiles } from "./mesh_files.js";
 
 const PARTS = ["ball", "socket"];
+const NAMES = { ball: "femur", socket: "pelvis" };
 const FIELDS = { side: "file-side", axes: "axes", unit: "unit" };
 export const UNITS = { mm: 1, cm: 10, m: 1000, µm: 0.001, in: 25.4 }; // mm in each
 const HUMAN = [5, 50]; // mm: radii of heads, as hip/length_unit.hpp has them
@@ -51,7 +52,7 @@ export class FilesPanel {
     });
     byId("use-files").disabled = !(this.files.ball && this.files.socket);
     const missing = PARTS.find((part) => !this.files[part]);
-    byId("files-say").textContent = missing ? `Now the ${missing}.` : "";
+    byId("files-say").textContent = missing ? `Now choose the ${NAMES[missing]}.` : "";
   }
 
   /** own: meshes that were kept over a reload, as onJoint() got them. */
