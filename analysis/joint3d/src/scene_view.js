@@ -58,7 +58,7 @@ export class SceneView {
   }
 
   fit() {
-    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
+    const { clientWidth: width, clientHeight: height } = this.canvas;
     if (!width || !height) return;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, Math.sqrt(LARGEST / (width * height))));
     this.renderer.setSize(width, height, false);
