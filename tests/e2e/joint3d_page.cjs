@@ -469,11 +469,15 @@ async function cut(page) {
   assert.match(rows[0], /^flexion to 90°yesyes/);
   assert.match(rows[1], /^internal rotation to 30° at flexion 90[\d.]+°yes, to 30/);
   assert.match(await text(page, "cut-notice"), /may guide a treatment/);
-  assert.match(await text(page, "cut-key"), /femur, not cut.*cut, up to [\d.]+ mm deep/);
+  const legend = async () => `${await text(page, "legend-of")}: ${await text(page, "legend-rows")}`;
+  assert.match(await legend(), /^Depth of the cut: femur, not cutcut, up to [\d.]+ mm deepsocket$/);
+  assert.ok(await page.isVisible("#stage-cut"), "a gap before the cut beside the femur after it");
   const deep = (places) => places.filter(([red, , blue]) => red < 90 && blue > red + 25).length; // the darkest blue
   const after = deep(await picture(page));
   await page.click('#cut-shown [value="before"]');
   const before = deep(await picture(page));
+  assert.match(await legend(), /^Gap \(radial\): bones touch or overlap/);
+  assert.ok(await page.isHidden("#stage-cut"));
   assert.ok(after > before + 5, `the femur looks the same after the cut: ${after} and ${before} places are dark blue`);
   await page.click('#cut-shown [value="after"]');
   await page.fill("#cut-required", "flexion=90, internal_rotation=20");
@@ -499,6 +503,7 @@ async function cut(page) {
   await otherJoint(page); // worked out anew
   await found();
   await fold(page, "cut");
+  assert.match(await legend(), /^Gap/, "the femur stays cut beside a folded panel");
   await posed(page, () => page.click('#shown label:has-text("socket")'));
 }
 

@@ -3,7 +3,7 @@
 // dark blue to yellow whose lightness grows steadily, so that no kind of colour vision and no grey print loses it.
 
 export const RAMP = [[0, 32, 77], [42, 60, 110], [87, 92, 109], [125, 124, 120], [166, 157, 117], [209, 192, 96], [255, 234, 70]];
-const BEYOND = { ball: [226, 230, 222], socket: [221, 227, 234] };
+export const BEYOND = { ball: [226, 230, 222], socket: [221, 227, 234] };
 export const RANGE = { low: -1, high: 15, steps: 2048 }; // mm
 
 const mix = (a, b, share) => a.map((value, k) => Math.round(value + (b[k] - value) * share));
@@ -14,8 +14,11 @@ function ramp(share) {
   return mix(RAMP[k], RAMP[k + 1], place - k);
 }
 
+export const PLAIN = "plain"; // the scale of a surface that shows no gaps
+
 /** A colour of a gap in mm, [red, green, blue] to 255. levels: those of the surface, from the library. */
 export function colourOf(gap, scale, surface, levels) {
+  if (scale === PLAIN) return BEYOND[surface];
   if (scale === "levels") return (levels.find((level) => level.up_to === null || gap <= level.up_to) ?? levels.at(-1)).rgb;
   const cartilage = levels.at(-2).up_to;
   if (gap > cartilage) return BEYOND[surface];

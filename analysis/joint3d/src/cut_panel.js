@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The least radial cut of the femur with which required motions are reached: how much, and the femur before and after it.
 import { ChangePanel } from "./change_panel.js";
-import { cutRows } from "./cut_surface.js";
-import { byId, keyRow, legWords, make, oneOfButtons, roundedDown, roundedUp } from "./elements.js";
+import { byId, legWords, make, oneOfButtons, roundedDown, roundedUp } from "./elements.js";
 
 const ends = ([low, high], places, unit) => `${roundedDown(low, places)} to ${roundedUp(high, places)} ${unit}`;
 
@@ -19,6 +18,7 @@ export class CutPanel extends ChangePanel {
     this.onCut = onCut;
     this.after = false;
     byId("cut-clearance").addEventListener("change", ({ target }) => { app.state.clearance = Number(target.value); this.again(); });
+    byId("cut").addEventListener("toggle", () => { if (this.found) this.switchTo(byId("cut").open && !byId("cut-shown").hidden); });
     this.showSwitch = oneOfButtons(byId("cut-shown"), (value) => this.switchTo(value === "after"));
   }
 
@@ -52,8 +52,7 @@ export class CutPanel extends ChangePanel {
     byId("cut-rows").replaceChildren(...legs.map(({ words, required_deg: required, before, after }) => make("tr", {},
       make("th", { scope: "row", textContent: legWords(words) }),
       make("td", { textContent: reached(before, required) }), make("td", { textContent: reached(after, required) }))));
-    byId("cut-shown").hidden = byId("cut-key").hidden = nothing;
-    byId("cut-key").replaceChildren(...cutRows(depth[1]).map(keyRow));
+    byId("cut-shown").hidden = nothing;
     if (!nothing) this.switchTo(true);
   }
 }

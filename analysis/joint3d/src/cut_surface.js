@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The femur after a cut, coloured by how deep it goes.
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshLambertMaterial } from "three";
-import { RAMP, css } from "./colours.js";
+import { BEYOND, RAMP, css } from "./colours.js";
 import { roundedUp } from "./elements.js";
 
-const WHOLE = [226, 230, 222];
-const RAMPED = [...RAMP].reverse(); // the deeper the darker
+const WHOLE = BEYOND.ball;
+const RAMPED = [WHOLE, ...[...RAMP].reverse()]; // the deeper the darker; without a step at the edge of the cut
 
 /** [red, green, blue] to 255 of a depth in mm. */
 function depthColour(depth, deepest) {
-  if (!(depth > 0)) return WHOLE;
-  const at = Math.min(depth / deepest, 1) * (RAMPED.length - 1);
+  const at = Math.min(Math.max(depth / deepest, 0), 1) * (RAMPED.length - 1);
   const k = Math.min(Math.floor(at), RAMPED.length - 2);
   return RAMPED[k].map((value, c) => Math.round(value + (RAMPED[k + 1][c] - value) * (at - k)));
 }
 
-/** Rows of the legend, as legendRows(). deepest: mm. */
-export const cutRows = (deepest) => [{ colours: [css(WHOLE)], text: "femur, not cut" }, { colours: RAMPED.map(css), text: `cut, up to ${roundedUp(deepest, 1)} mm deep` }];
+/** Rows of the legend, as legendRows(). deepest: mm. The socket has one colour beside a cut femur: gaps are those before the cut. */
+export const cutRows = (deepest) => [{ colours: [css(WHOLE)], text: "femur, not cut" }, { colours: RAMPED.map(css), text: `cut, up to ${roundedUp(deepest, 1)} mm deep` },
+  { colours: [css(BEYOND.socket)], text: "socket" }];
 
 export class CutSurface {
   constructor() {

@@ -2,10 +2,9 @@
 // Files out of the page: a picture, gaps as CSV with their metadata, limits, PLY from the library's own writers, and the state
 // as a link. Their names say joint and pose.
 import { strToU8, zipSync } from "three/addons/libs/fflate.module.js";
-import { legendRows } from "./colours.js";
-import { cutRows } from "./cut_surface.js";
 import { byId, make } from "./elements.js";
 import { limitsCsv } from "./limits_panel.js";
+import { shownRows } from "./look_bar.js";
 import { labelledPicture } from "./picture.js";
 import { fileStem, poseWords, shiftWords } from "./pose_words.js";
 import { gapWords } from "./readouts.js";
@@ -58,10 +57,9 @@ export class ExportPanel {
   async picture() {
     const { name, joint, pose } = this.shown();
     const lines = [poseWords(this.app.state), gapWords(pose.smallest_gap), `Gaps are radial. Joint3D of impinge ${about("version")}, ${about("commit").slice(0, 12)}: research software, no medical device.`];
-    const { isCut, cut } = this.view.parts;
-    if (isCut) lines.splice(2, 0, `The femur after a cut for ${this.app.state.required}; the gap is that before it.`);
-    const rows = [...(isCut ? cutRows(cut.deepest) : []), ...legendRows(this.app.state.look.colours, pose.colours)];
-    save(await labelledPicture(this.view, titled(name, joint), lines, rows), this.named("joint3d", "png"));
+    const { parts } = this.view;
+    if (parts.isCut) lines.splice(2, 0, `The femur after a cut for ${this.app.state.required}; the gap is that before it.`);
+    save(await labelledPicture(this.view, titled(name, joint), lines, shownRows(parts, this.app.state.look.colours, pose.colours)), this.named("joint3d", "png"));
   }
 
   async gaps() {

@@ -3,6 +3,7 @@
 // the centre of rotation in the frame of the input; the root turns that into the joint frame.
 import { Group, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from "three";
 import { extent } from "./cameras.js";
+import { BEYOND, PLAIN } from "./colours.js";
 import { CutSurface } from "./cut_surface.js";
 import { GapSurface } from "./gap_surface.js";
 import { schematicPelvis } from "./pelvis.js";
@@ -83,15 +84,17 @@ export class JointParts {
     this.socket.setGaps(pose.socket_gap);
     this.setColours(pose.colours, scale);
     this.met = Boolean(pose.smallest_gap);
-    this.nearest.visible = this.met && this.marked;
+    this.nearest.visible = this.met && this.marked && !this.isCut;
     if (this.met) this.nearest.position.fromArray(pose.place);
   }
 
   setColours(colours, scale) {
-    const key = JSON.stringify([colours, scale]);
+    const key = JSON.stringify([colours, scale, this.isCut]);
     if (key === this.colourKey) return;
-    this.colourKey = key;
-    SURFACES.forEach((part) => this[part].setColours(scale, colours[part], colours.no_gap_rgb));
+    Object.assign(this, { colourKey: key, colours, scale });
+    this.ball.setColours(scale, colours.ball, colours.no_gap_rgb);
+    if (this.isCut) this.socket.setColours(PLAIN, colours.socket, BEYOND.socket);
+    else this.socket.setColours(scale, colours.socket, colours.no_gap_rgb);
   }
 
   /** look: drawing, and which parts are shown. */
@@ -111,7 +114,7 @@ export class JointParts {
     this.addPelvis();
     this.clock.group.visible = has("clock");
     this.marked = has("smallest");
-    this.nearest.visible = Boolean(this.marked && this.met);
+    this.nearest.visible = Boolean(this.marked && this.met && !this.isCut);
   }
 
   /** The ball after a cut, the library's reply to `resect`; null: as it is. */
@@ -119,6 +122,8 @@ export class JointParts {
     this.isCut = Boolean(cut);
     if (cut) this.cut.set(cut);
     this.showBall();
+    if (this.colours) this.setColours(this.colours, this.scale);
+    this.nearest.visible = Boolean(this.marked && this.met && !cut);
   }
 
   showBall() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the joint is drawn: view, filled or lines or blended, colours, what is shown, and the legend.
 import { legendRows } from "./colours.js";
+import { cutRows } from "./cut_surface.js";
 import { byId, make, oneOfButtons, swatchOf } from "./elements.js";
 
 const TURN = 8; // degrees a key press
@@ -48,9 +49,13 @@ export function lookBar(app, view, onLook) {
 
 let written = "";
 
-/** colours: of the library's reply to `pose`. */
-export function showLegend(scale, colours) {
-  const rows = legendRows(scale, colours);
+/** Rows of the legend of what is drawn. parts: of the SceneView; colours: of the library's reply to `pose`. */
+export const shownRows = ({ isCut, cut }, scale, colours) => (isCut ? cutRows(cut.deepest) : legendRows(scale, colours));
+
+export function showLegend(parts, scale, colours) {
+  const rows = shownRows(parts, scale, colours);
+  byId("legend-of").textContent = parts.isCut ? "Depth of the cut" : "Gap (radial)";
+  byId("stage-cut").hidden = !parts.isCut;
   const key = JSON.stringify(rows);
   if (key === written) return;
   written = key;

@@ -59,7 +59,7 @@ function start() {
   const limits = new LimitsPanel({ ask: (request) => slow.ask("limits", request), shape: () => poses.shape(), fault,
     onPose: (along, degrees) => goTo(poseAlong(along, degrees)) });
   const volume = new VolumePanel(app, () => new EngineClient(source, lost));
-  const changes = [new CutPanel(app, () => new EngineClient(source, lost), (cut) => view.setCut(cut)),
+  const changes = [new CutPanel(app, () => new EngineClient(source, lost), (cut) => { view.setCut(cut); poses.legend(); }),
     new OrientationPanel(app, () => new EngineClient(source, lost))];
   changes.forEach((panel) => { panel.onRequired = () => changes.forEach((each) => each.again()); });
   const measures = new MeasuresPanel(() => slow.ask("measure"));

@@ -37,10 +37,14 @@ export class Poses {
     this.shown = pose;
     const scale = this.app.state.look.colours;
     this.view.setPose(pose, scale);
-    showLegend(scale, pose.colours);
+    this.legend();
     drawHistogram(byId("histogram"), pose, scale);
     showReadouts(pose, took);
     this.onPose(request);
     document.body.dataset.poses = String(Number(document.body.dataset.poses ?? 0) + 1);
+  }
+
+  legend() {
+    if (this.shown) showLegend(this.view.parts, this.app.state.look.colours, this.shown.colours);
   }
 }
