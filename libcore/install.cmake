@@ -28,7 +28,7 @@ impinge_install(COMPONENT core LIBRARIES files sphere mesh table gap contact pla
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/sphere/generated/sphere/scheme_list.hpp DESTINATION ${header_dir}/sphere)
 if(NOT IMPINGE_CORE_ONLY)
   impinge_install(COMPONENT mesh_io LIBRARIES mesh_io)
-  impinge_install(COMPONENT simd LIBRARIES gap_simd documents pose_list joint)
+  impinge_install(COMPONENT simd LIBRARIES gap_simd documents landmarks pose_list joint)
 else() # the headers of planning
   install(DIRECTORY joint DESTINATION ${header_dir} FILES_MATCHING PATTERN *.hpp)
 endif()

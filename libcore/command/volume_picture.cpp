@@ -3,18 +3,17 @@
 
 #include <algorithm>
 
-#include <Eigen/Geometry>
-
 #include "files/formatted.hpp"
-#include "hip/motion.hpp"
+#include "joint/volume_map.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr int kStep = 5;         // degrees, and units of the picture
-constexpr int kExtension = -45;  // degrees of flexion at the left
-constexpr int kFlexion = 150;
-constexpr int kAbduction = 75;  // degrees at the top, and of adduction below
+// Of the map, a unit of the picture a degree.
+constexpr int kStep = kMapStep;
+constexpr int kExtension = kMapExtension;
+constexpr int kFlexion = kMapFlexion;
+constexpr int kAbduction = kMapAbduction;
 constexpr int kMargin = 30;
 constexpr double kDarkest = 120.0;  // degrees of rotation
 
@@ -26,14 +25,9 @@ std::string shade(double range) {
 
 // Colour of the pose.
 std::string colour(const MotionVolume& volume, const Motion& pose, Side side) {
-  const Eigen::Quaterniond q(joint_rotation(pose, side));
-  const CellState state = volume.at({q.w(), q.x(), q.y(), q.z()}).state;
+  const auto [state, range] = map_square(volume, pose, side);
   if (state == CellState::blocked) return "#999";
-  if (state != CellState::free) return "#fff";
-  double range = 0.0;
-  for (const char* way : {"internal_rotation", "external_rotation"})
-    range += volume.limit(joint_turn(pose, motion_name(way), side), 90.0).low_deg;
-  return shade(range);
+  return state == CellState::free ? shade(range) : "#fff";
 }
 
 // What the colours mean, from the place (x, y) to the right.

@@ -209,7 +209,11 @@ void add_landmark(std::string_view label, const Vec3& place, Landmarks& found) {
 }
 
 Landmarks read_landmarks(const std::filesystem::path& file, const Eigen::Matrix3d& axes) {
-  const std::string bytes = read_bytes(file);
+  return read_landmarks(file, read_bytes(file), axes);
+}
+
+Landmarks read_landmarks(const std::filesystem::path& file, const std::string& bytes,
+                         const Eigen::Matrix3d& axes) {
   const Marked marked = lower(file.extension().string()) == ".json" ? of_markups(file, bytes, axes)
                                                                     : LandmarkTable(file, bytes, axes).read();
   const Landmarks& found = marked.found;

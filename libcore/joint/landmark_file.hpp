@@ -23,6 +23,9 @@ namespace impinge {
 /// are those that Slicer has not placed. FileError for a file that is none of these, a label that occurs
 /// twice, and labels of which none is a landmark's.
 Landmarks read_landmarks(const std::filesystem::path& file, const Eigen::Matrix3d& axes);
+/// The same of a file's bytes; `file` is its name.
+Landmarks read_landmarks(const std::filesystem::path& file, const std::string& bytes,
+                         const Eigen::Matrix3d& axes);
 
 /// Adds a point by its label, in the frame of the meshes, mm; other labels are ignored.
 /// std::invalid_argument, one line, for a place that is not finite and a label that is there already.

@@ -7,6 +7,7 @@
 
 #include "files/stopwatch.hpp"
 #include "hip/hip.hpp"
+#include "joint/landmark_file.hpp"
 #include "joint/touch.hpp"
 #include "mesh/surface_vertices.hpp"
 #include "table/probe_directions.hpp"
@@ -131,10 +132,14 @@ void use_hip(Session& session, const HipParameters& parameters) {
   use(session, std::move(joint));
 }
 
-void use_meshes(Session& session, JointInput input) {
+void use_meshes(Session& session, JointInput input, const std::optional<LandmarkBytes>& landmarks) {
   const std::optional<Side> side = input.side;
   const std::string axes = input.axes;
-  auto joint = std::make_unique<SessionJoint>(assemble_joint(std::move(input)), side, axes);
+  Joint assembled = assemble_joint(std::move(input));
+  if (landmarks)
+    use_landmarks(read_landmarks(landmarks->name, landmarks->bytes, input_to_joint(axes)), landmarks->name,
+                  side, assembled);
+  auto joint = std::make_unique<SessionJoint>(std::move(assembled), side, axes);
   warn_of_contact(*joint);
   use(session, std::move(joint));
 }

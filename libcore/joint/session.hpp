@@ -111,6 +111,12 @@ struct CentredLimits {
   TurnLimits limits;
 };
 
+/// A file of landmarks (landmark_file.hpp) and its name.
+struct LandmarkBytes {
+  std::string name;
+  std::string bytes;
+};
+
 /// One joint with all that was worked out about it.
 struct Session {
   Session() = default;  // no joint yet
@@ -129,7 +135,7 @@ struct Session {
 /// Replaces the joint by a hip made from parameters, with tables of the present settings.
 void use_hip(Session& session, const HipParameters& parameters);
 /// The same with a joint of a user's meshes.
-void use_meshes(Session& session, JointInput input);
+void use_meshes(Session& session, JointInput input, const std::optional<LandmarkBytes>& landmarks = {});
 
 /// Fills the tables of both surfaces.
 void fill_tables(Session& session, const TableSettings& settings);

@@ -17,9 +17,9 @@ void add_arrays(const SessionJoint& joint, const ResectAnswer& found, val& reply
 /// -1.
 void add_arrays(const SessionJoint& joint, const OrientAnswer& found, val& reply);
 
-/// `states` at the poses of a grid, whose axes are `flexion`, `abduction` and `internal_rotation`
-/// (innermost): 0 where contact stands between a pose and that of the scan, 2 where certainly none does, 1
-/// where it is not known.
+/// `map` (joint/volume_map.hpp): `range_deg` of its squares, abduction innermost, -1 where the pose without
+/// rotation is blocked and -2 where that is undecided, and their places by `step`, `flexion` and `abduction`,
+/// the least and the most of each.
 void add_arrays(const SessionJoint& joint, const VolumeAnswer& found, val& reply);
 
 }  // namespace impinge

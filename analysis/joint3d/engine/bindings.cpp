@@ -37,7 +37,7 @@ val ask_joint(const val& request) {
   if (preset) {
     use_hip(session(), hip_request(request));
   } else {
-    use_meshes(session(), meshes_request(request));
+    use_meshes(session(), meshes_request(request), landmarks_request(request));
   }
   val reply = joint_reply(*session().joint);
   if (!preset) reply.set("axes_from", axes_request(request).from);
@@ -110,7 +110,11 @@ val ask_volume(const val& request) {
   if (asked.width < 0.02)
     throw std::invalid_argument(
         "a page leaves 0.02 of all rotations open, or more; choose a width from 0.02 to 1");
-  const VolumeAnswer found = answer(session(), asked, {.threads = 1});
+  VolumeSettings how{.threads = 1};
+  const val reached = val::global("joint3dReached");  // of the worker of the page
+  if (reached.typeOf().as<std::string>() == "function")
+    how.reached = [reached](std::span<const CellVerdict>, double open) { reached(open); };
+  const VolumeAnswer found = answer(session(), asked, how);
   val reply = val_of(json_of(found));
   add_arrays(*session().joint, found, reply);
   return reply;

@@ -51,6 +51,24 @@ std::vector<float> in_socket(std::vector<float> points, const Vec3& shift) {
   return points;
 }
 
+// What of a whole bone is the surface of the joint.
+val taken_value(const JointPart& part) {
+  if (!part.taken) return val::null();
+  return object(std::pair("faces", static_cast<double>(part.taken->faces)),
+                std::pair("of", static_cast<double>(part.taken->of)),
+                std::pair("within_mm", part.taken->within_mm));
+}
+
+val frames_value(const std::optional<AnatomicalFrames>& frames) {
+  if (!frames) return val::null();
+  const auto& scanned = frames->scanned;
+  return object(
+      std::pair("pelvic_tilt_deg", frames->pelvic_tilt_deg),
+      std::pair("scanned_deg", scanned ? val::array(std::vector<double>{scanned->flexion, scanned->abduction,
+                                                                        scanned->internal_rotation})
+                                       : val::null()));
+}
+
 }  // namespace
 
 val joint_reply(const SessionJoint& joint) {
@@ -66,6 +84,9 @@ val joint_reply(const SessionJoint& joint) {
                 std::pair("rim_clock", rim["positions"]), std::pair("rim_hours", rim["hours"]),
                 std::pair("to_joint_frame", matrix_value(joint.axes, Vec3::Zero())),
                 std::pair("parameters", joint.parameters ? parameters_value(*joint.parameters) : val::null()),
+                std::pair("taken", object(std::pair("ball", taken_value(found.ball)),
+                                          std::pair("socket", taken_value(found.socket)))),
+                std::pair("frames", frames_value(found.frames)),
                 std::pair("warnings", list(found.warnings, [](const std::string& w) { return val(w); })),
                 std::pair("doubts", static_cast<double>(found.doubts)));
 }

@@ -23,6 +23,18 @@ NamedMesh mesh_request(const val& value) {
   return {name, mesh_of(name, {positions, corners})};
 }
 
+// A mesh and the parts beside it, each called as its file is.
+NamedMesh bone_request(const val& value) {
+  NamedMesh bone = mesh_request(value);
+  if (!is_given(value["parts"])) return bone;
+  for (const val& part : emscripten::vecFromJSArray<val>(value["parts"])) {
+    const NamedMesh read = mesh_request(part);
+    append_part(bone.mesh, bone.parts, read.name.substr(0, read.name.rfind('.')), read.mesh);
+    bone.part_names.push_back(read.name);
+  }
+  return bone;
+}
+
 // Of a mesh whose file's first bytes came with it.
 SaidAxes said_axes(const val& mesh) {
   SaidAxes said{mesh["name"].as<std::string>(), std::nullopt};
@@ -74,13 +86,19 @@ HipParameters hip_request(const val& request) {
 
 JointInput meshes_request(const val& request) {
   JointInput input;
-  input.ball = mesh_request(request["ball"]);
-  input.socket = mesh_request(request["socket"]);
+  input.ball = bone_request(request["ball"]);
+  input.socket = bone_request(request["socket"]);
   if (is_given(request["centre"])) input.centre = vector_request(request["centre"]);
   if (is_given(request["side"])) input.side = parse_side(request["side"].as<std::string>());
   input.axes = axes_request(request).code;
   input.wording = {"as X, Y, Z", "ball and socket", "side and axes", ""};
   return input;
+}
+
+std::optional<LandmarkBytes> landmarks_request(const val& request) {
+  const val file = request["landmarks"];
+  if (!is_given(file)) return std::nullopt;
+  return LandmarkBytes{file["name"].as<std::string>(), file["text"].as<std::string>()};
 }
 
 AxesChoice axes_request(const val& request) {

@@ -14,6 +14,7 @@ namespace impinge {
 
 HipParameters hip_request(const val& request);
 JointInput meshes_request(const val& request);
+std::optional<LandmarkBytes> landmarks_request(const val& request);
 AxesChoice axes_request(const val& request);  // of meshes: as the page or the headers of their files say
 TableSettings table_request(const val& request);
 PoseRequest pose_request(const val& request);

@@ -1,23 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The motion volume of a joint: what of all its rotations is free, proven.
+// The motion volume of a joint: what of all its rotations is free, proven. Its map has the squares, colours and words of the
+// program's volume.svg (command/volume_picture.cpp).
 import { ApartPanel } from "./apart.js";
-import { RAMP, css } from "./colours.js";
 import { byId, drawn, keyRow, roundedDown, roundedUp } from "./elements.js";
 import { MAP, mapLabels } from "./plots.js";
 
 const HEIGHT = 250;
-const MOST = 120; // degrees of rotation at the end of the colours
+const DARKEST = 120; // degrees of rotation
+const WIDTH = 0.05; // share of all rotations that may stay undecided
+const [BLOCKED, UNDECIDED] = [-1, -2]; // as the library marks such squares
 const percent = (share, round) => round(100 * share, 1);
 
-const place = ({ least, step, count }, from, to) => (angle) => from + ((angle - least + step / 2) / (count * step)) * (to - from);
-const index = ({ least, step, count }, angle) => Math.min(Math.max(Math.round((angle - least) / step), 0), count - 1);
+/** Of so many degrees of rotation, or of a mark. */
+export function mapColour(range) {
+  if (range === BLOCKED) return "#999";
+  if (range === UNDECIDED) return "#fff";
+  const light = 230 - Math.trunc((180 * Math.min(range, DARKEST)) / DARKEST);
+  return `rgb(${Math.trunc(light / 3)},${light},235)`;
+}
 
-/** Degrees of rotation at a flexion and an abduction that are certainly reached, and perhaps: { sure, perhaps }. */
-function rotationRange({ flexion, abduction, internal_rotation: rotation, states }, motion) {
-  const first = (index(flexion, motion.flexion) * abduction.count + index(abduction, motion.abduction)) * rotation.count;
-  const row = states.subarray(first, first + rotation.count);
-  const of = (least) => row.reduce((sum, state) => sum + (state >= least), 0) * rotation.step;
-  return { sure: of(2), perhaps: of(1) };
+/** What the library found at a flexion and an abduction; undefined beside the map. */
+function rangeAt({ range_deg: ranges, step, flexion, abduction }, motion) {
+  const [column, row] = [[flexion, motion.flexion], [abduction, motion.abduction]].map(([[least, most], angle]) =>
+    (angle < least || angle > most ? NaN : Math.floor((Math.min(angle, most - step / 2) - least) / step)));
+  return ranges[column * ((abduction[1] - abduction[0]) / step) + row];
+}
+
+function wordsOf(range) {
+  if (range === undefined) return "This pose is outside of the map.";
+  const there = "At the flexion and abduction of this pose";
+  if (range === BLOCKED) return `${there} the hip is blocked without rotation.`;
+  if (range === UNDECIDED) return `${there} it is undecided whether the hip is free without rotation.`;
+  return `${there} ${roundedDown(range, 0)}° of rotation are without contact, internal and external together.`;
 }
 
 export class VolumePanel extends ApartPanel {
@@ -27,30 +41,36 @@ export class VolumePanel extends ApartPanel {
   }
 
   question() {
-    return { width: 0.05 };
+    return { width: WIDTH };
+  }
+
+  /** The fewer rotations are undecided, the more work each takes. */
+  progress(open) {
+    return { share: Math.min(Math.log(open) / Math.log(WIDTH), 1), words: `${percent(open, roundedUp)} % of all rotations are undecided, ${100 * WIDTH} % may be` };
   }
 
   clear() {
     byId("volume-plot").replaceChildren();
+    byId("volume-key").replaceChildren();
     byId("volume-here").textContent = "";
   }
 
   draw() {
-    const { flexion, abduction, share_low: low, share_high: high, reachable_low: least, reachable_high: most } = this.found;
-    const [x, y] = [place(flexion, MAP.left, MAP.width - MAP.right), place(abduction, HEIGHT - MAP.bottom, MAP.top)];
-    const [wide, tall] = [x(flexion.step) - x(0), y(0) - y(abduction.step)];
-    const cells = Array.from({ length: flexion.count * abduction.count }, (_, k) => {
-      const motion = { flexion: flexion.least + flexion.step * Math.floor(k / abduction.count), abduction: abduction.least + abduction.step * (k % abduction.count) };
-      const { sure, perhaps } = rotationRange(this.found, motion);
-      const fill = sure ? css(RAMP[Math.round(Math.min(sure / MOST, 1) * (RAMP.length - 1))]) : perhaps ? "#d8dfe5" : "#fff";
-      return drawn("rect", { x: x(motion.flexion) - wide / 2, y: y(motion.abduction) - tall / 2, width: wide + 0.2, height: tall + 0.2, fill });
+    const { map, share_low: low, share_high: high, reachable_low: least, reachable_high: most } = this.found;
+    const { range_deg: ranges, step, flexion, abduction } = map;
+    const x = (angle) => MAP.left + ((angle - flexion[0]) / (flexion[1] - flexion[0])) * (MAP.width - MAP.left - MAP.right);
+    const y = (angle) => MAP.top + ((abduction[1] - angle) / (abduction[1] - abduction[0])) * (HEIGHT - MAP.top - MAP.bottom);
+    const rows = (abduction[1] - abduction[0]) / step;
+    const cells = Array.from(ranges, (range, k) => {
+      const [left, top] = [flexion[0] + step * Math.floor(k / rows), abduction[0] + step * (k % rows) + step];
+      return drawn("rect", { x: x(left), y: y(top), width: x(step) - x(0) + 0.2, height: y(0) - y(step) + 0.2, fill: mapColour(range) });
     });
     this.mark = drawn("circle", { r: 4, class: "now" });
     byId("volume-plot").replaceChildren(...cells,
-      ...mapLabels(HEIGHT, { x, y, xs: [-40, 0, 40, 80, 120], ys: [-60, -30, 0, 30, 60], xTitle: "flexion, °", yTitle: "abduction, °" }), this.mark);
+      ...mapLabels(HEIGHT, { x, y, xs: [-45, 0, 45, 90, 135], ys: [-75, -50, -25, 0, 25, 50, 75], xTitle: "flexion, degrees", yTitle: "abduction, degrees" }), this.mark);
     this.at = (motion) => [x(motion.flexion), y(motion.abduction)];
-    byId("volume-key").replaceChildren(...[[0, "little"], [0.5, `${MOST / 2}°`], [1, `${MOST}° and more of rotation`]].map(([share, text]) =>
-      keyRow({ colours: [css(RAMP[Math.round(share * (RAMP.length - 1))])], text })));
+    const entries = [...[0, 30, 60, 90, DARKEST].map((range) => [range, `${range}${range === DARKEST ? "+" : ""}`]), [BLOCKED, "blocked"], [UNDECIDED, "undecided"]];
+    byId("volume-key").replaceChildren("rotation without contact, internal and external together, degrees:", ...entries.map(([range, text]) => keyRow({ colours: [mapColour(range)], text })));
     this.say(`Of all rotations ${percent(low, roundedDown)} to ${percent(high, roundedUp)} % are free of contact, and `
       + `${percent(least, roundedDown)} to ${percent(most, roundedUp)} % can be reached from the pose of the scan without contact: proven, for the surfaces and their edges.`);
     this.posed();
@@ -60,13 +80,11 @@ export class VolumePanel extends ApartPanel {
   posed() {
     if (!this.found) return;
     const { motion, offset } = this.app.state;
-    const { sure, perhaps } = rotationRange(this.found, motion);
+    const range = rangeAt(this.found.map, motion);
     const [x, y] = this.at(motion);
-    const outside = x < MAP.left || x > MAP.width - MAP.right || y < MAP.top || y > HEIGHT - MAP.bottom;
-    this.mark.setAttribute("visibility", outside ? "hidden" : "visible");
+    this.mark.setAttribute("visibility", range === undefined ? "hidden" : "visible");
     this.mark.setAttribute("cx", x);
     this.mark.setAttribute("cy", y);
-    byId("volume-here").textContent = outside ? "This pose is outside of the picture." : `Near the flexion and abduction of this pose ${sure === perhaps ? sure : `${sure} to ${perhaps}`}° of rotation can be reached.`
-      + (offset.some(Boolean) ? " The volume is that of the joint without the shift of the ball." : "");
+    byId("volume-here").textContent = wordsOf(range) + (offset.some(Boolean) ? " The volume is that of the joint without the shift of the ball." : "");
   }
 }
