@@ -10,7 +10,7 @@ const { pageModules } = require('./page_modules.js');
 let words;
 
 before(async () => {
-  words = await pageModules('elements', 'files_panel', 'limits_panel', 'measures_panel', 'mesh_files', 'messages', 'pose_words', 'proof', 'slow_worker', 'state', 'sweep_panel');
+  words = await pageModules('elements', 'files_panel', 'joint_words', 'limits_panel', 'measures_panel', 'mesh_files', 'messages', 'pose_words', 'proof', 'session_file', 'slow_worker', 'state', 'sweep_panel');
 });
 
 const LIMIT = {
@@ -137,6 +137,37 @@ test('a state comes back from its fragment, with the camera, and nonsense is lef
   assert.deepEqual(fromFragment(`#${toFragment(state)}`), state);
   for (const camera of ['1,2,3', '1,2,3,4,5,x', '1,2,3,4,5,1e9', '']) assert.equal(fromFragment(`#camera=${camera}`).look.camera, null);
   assert.deepEqual(fromFragment('#motion'), firstState());
+});
+
+test('a session comes back from its file, with the files as they were given', async () => {
+  const { firstState, ownRequest, readMesh, readSession, sessionBytes, toFragment } = words;
+  const text = (x) => `v 0 0 0\nv ${x} 0 0\nv 0 1 0\nf 1 2 3\n`;
+  const mesh = (name, x) => readMesh(new File([text(x)], name));
+  const points = new File(['label,x,y,z\n'], 'points.csv');
+  const own = { ball: { ...await mesh('bone.obj', 1), parts: [await mesh('bone.obj', 2)] }, socket: { ...await mesh('session.json.obj', 3), parts: [] },
+    landmarks: { name: 'points.csv', text: await points.text(), file: points }, side: 'left', axes: '', unit: 'mm', centre: [1, -2, 0.5] };
+  const state = firstState();
+  state.motion.flexion = 42;
+  state.joint = { name: 'own', side: 'left', parameters: {} };
+  const packed = new File([await sessionBytes(state, own, { program: 'impinge 1.0.0', commit: 'abc' })], 'session.zip');
+  const { fragment, files, fields } = await readSession(packed);
+  assert.equal(fragment, toFragment(state));
+  assert.deepEqual(fields, { side: 'left', axes: '', unit: 'mm', centre: [1, -2, 0.5] });
+  assert.deepEqual(Object.fromEntries(Object.entries(files).map(([key, list]) => [key, list.map(({ name }) => name)])),
+    { ball: ['bone.obj'], socket: ['session.json.obj'], ball_parts: ['2_bone.obj'], socket_parts: [], landmarks: ['points.csv'] });
+  assert.deepEqual(await Promise.all([files.ball[0], files.ball_parts[0], files.socket[0]].map((file) => file.text())), [1, 2, 3].map(text));
+  const { ball, landmarks, axes } = ownRequest(own);
+  assert.deepEqual([[...ball.parts[0].positions].slice(3, 6), ball.parts[0].file, landmarks, axes], [[2, 0, 0], undefined, { name: 'points.csv', text: 'label,x,y,z\n' }, null]);
+  const preset = await readSession(new File([await sessionBytes(firstState(), null, {})], 'a.zip'));
+  assert.deepEqual([preset.fragment, preset.files], [toFragment(firstState()), null]);
+  for (const wrong of ['', 'PK', text(1)]) await assert.rejects(readSession(new File([wrong], 'a.zip')), ({ message }) => message === 'a.zip: it is no session; choose a session that Joint3D has saved');
+});
+
+test('whole bones and landmarks are told', () => {
+  const taken = words.takenWords({ ball: { faces: 4321, of: 60000, within_mm: 31.04 }, socket: null });
+  assert.deepEqual(taken, ['Of the femur 4,321 of 60,000 faces, within 31.0 mm of the centre, are the ball; the rest counts as bone beside it.']);
+  assert.deepEqual(words.framesWords(null), []);
+  assert.match(words.framesWords({ pelvic_tilt_deg: -4.06, scanned_deg: [1, -2, 3] })[0], /tilted by −4\.1° in the scan; angles are counted from neutral, .* flexion 1\.0°, abduction −2\.0°, internal rotation 3\.0°\.$/);
 });
 
 test('what is asked while tables follow a joint is asked of that joint', async () => {

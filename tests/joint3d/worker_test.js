@@ -11,6 +11,7 @@ const { serve } = require(path.join(__dirname, '../../analysis/joint3d/src/worke
 let engine;
 let send;
 let replies;
+let reached; // of questions that say how far they are
 
 // Answers in the order of the messages, as postMessage() delivers them.
 function ask(...messages) {
@@ -33,8 +34,9 @@ before(async () => {
 
 beforeEach(async () => {
   replies = [];
+  reached = [];
   // As postMessage() does: what is handed over is gone on this side.
-  const post = (reply, transfer) => replies.push(structuredClone(reply, { transfer }));
+  const post = (reply, transfer) => (reply.ok === undefined ? reached : replies).push(structuredClone(reply, { transfer }));
   send = serve(engine, post, setImmediate);
   const reply = await one('joint', { source: 'preset', name: 'cam', parameters: {} });
   assert.equal(reply.error, undefined);
@@ -143,27 +145,32 @@ test('limits are those of a sweep, and measures those that a hip was made with',
 });
 
 // A pose of which the gaps are clearly below 0 is not free; one on a motion from the scan before its limit is reachable.
+// No square of the map claims more rotation than limits and gaps leave, nor blocks what they show to be free.
 test('the volume agrees with gaps and limits', async () => {
   const volume = await one('volume', { width: 0.2 });
   assert.equal(volume.error, undefined);
-  const { share_low: low, share_high: high, reachable_low: least, reachable_high: most, flexion, abduction, internal_rotation: rotation, states } = volume;
+  assert.ok(reached.length > 2 && reached.every(({ open }, k) => open <= (reached[k - 1]?.open ?? 1)) && reached.at(-1).open <= 0.2, 'how far it is');
+  const { share_low: low, share_high: high, reachable_low: least, reachable_high: most, map } = volume;
   assert.ok(0 < least && least <= low + 1e-6 && low < high && most <= high + 1e-6 && high < 1 && high - low <= 0.2 + 1e-6, JSON.stringify([least, low, most, high]));
-  assert.equal(states.length, flexion.count * abduction.count * rotation.count);
-  const at = (axis, angle) => (angle - axis.least) / axis.step;
-  const state = (f, a, r) => states[(at(flexion, f) * abduction.count + at(abduction, a)) * rotation.count + at(rotation, r)];
-  assert.equal(state(0, 0, 0), 2, 'the pose of the scan');
-  const { limits: [limit] } = await one('limits', { motions: ['flexion'], largest_deg: 140 });
-  for (let f = 0; f < limit.low_deg && f <= 140; f += flexion.step) assert.ok(state(f, 0, 0) > 0, `flexion ${f} is reached`);
-  let blocked = 0;
-  let reached = 0;
-  for (let k = 0; k < 400; k += 1) {
-    const [f, a, r] = [[flexion, 7 * k], [abduction, 5 * k], [rotation, 11 * k]].map(([axis, j]) => axis.least + axis.step * (j % axis.count));
-    const { smallest_gap: smallest } = await one('pose', { flexion: f, abduction: a, internal_rotation: r });
-    if (smallest.gap_mm < -0.3) assert.ok(state(f, a, r) < 2, `${f} ${a} ${r}: ${smallest.gap_mm} mm`);
-    blocked += smallest.gap_mm < -0.3;
-    reached += state(f, a, r) === 2;
+  const { range_deg: ranges, step, flexion, abduction } = map;
+  assert.deepEqual([step, flexion, abduction], [5, [-45, 150], [-75, 75]]);
+  assert.equal(ranges.length, 39 * 30);
+  const seen = { free: 0, blocked: 0 };
+  for (let k = 0; k < ranges.length; k += 7) {
+    const pose = { flexion: -42.5 + 5 * Math.floor(k / 30), abduction: -72.5 + 5 * (k % 30) };
+    const { smallest_gap: { gap_mm: gap } } = await one('pose', pose);
+    const name = `${JSON.stringify(pose)}: ${ranges[k]}, ${gap} mm`;
+    if (gap > 0.3) assert.notEqual(ranges[k], -1, name);
+    if (gap < -0.3) assert.ok(ranges[k] < 0, name);
+    seen.blocked += ranges[k] === -1;
+    if (ranges[k] < 0) continue;
+    seen.free += 1;
+    if (seen.free % 8) continue;
+    const free = [];
+    for (const way of ['internal_rotation', 'external_rotation']) free.push((await one('limits', { motions: [way], pose, largest_deg: 90 })).limits[0]);
+    assert.ok(ranges[k] <= free.reduce((sum, { high_deg: end, state }) => sum + (state === 'limited' ? end : 90), 0) + 1e-3, `${name}, ${JSON.stringify(free.map(({ high_deg: end }) => end))}`);
   }
-  assert.ok(blocked > 40 && reached > 10, `${blocked} blocked, ${reached} reached`);
+  assert.ok(seen.free > 10 && seen.blocked > 10, JSON.stringify(seen));
   assert.match((await one('volume', { width: 0.01 })).error, /choose a width from 0.02/);
 });
 
@@ -349,6 +356,31 @@ test('other questions that cannot be answered are refused in one line', async ()
     assert.match(reply.error, message);
     assert.ok(!reply.error.includes('\n'));
   }
+});
+
+// Of the cam: what stands beside the ball blocks a motion that the ball alone does not; landmarks turn the frame and are told.
+test('parts and landmarks come from files', async () => {
+  const { ball, socket } = await one('joint', { source: 'preset', name: 'cam', parameters: {} });
+  const named = (name, { positions, faces }) => ({ name, positions: Float64Array.from(positions), faces });
+  const request = { source: 'files', side: 'right', centre: [0, 0, 0], ball: named('femur.ply', ball), socket: named('pelvis.ply', socket) };
+  const limit = async () => (await one('limits', { motions: ['flexion'] })).limits[0];
+  assert.equal((await one('joint', request)).error, undefined);
+  const alone = await limit();
+  assert.equal(alone.state, 'limited');
+  const beside = { ...request, ball: { ...request.ball, parts: [octahedron('trochanter.ply', 8, [25, 0, -60])] }, socket: { ...request.socket, parts: [octahedron('spine.ply', 6, [25, 60, -5])] } };
+  assert.equal((await one('joint', beside)).error, undefined);
+  const withParts = await limit();
+  assert.ok(withParts.high_deg < alone.low_deg, JSON.stringify([alone, withParts]));
+  assert.match(withParts.what, /trochanter/);
+  assert.match((await one('joint', { ...request, socket: { ...request.socket, parts: [{ ...octahedron('spine.ply', 6), faces: new Uint32Array([0, 1, 99]) }] } })).error, /^spine.ply: /);
+  const rows = { asis_right: [20, 40, 80], asis_left: [-180, 40, 80], pubic_tubercle_right: [-60, 20, -10], pubic_tubercle_left: [-100, 20, -10] };
+  const text = ['label,x,y,z', ...Object.entries(rows).map(([label, place]) => [label, ...place].join())].join('\n');
+  const marked = await one('joint', { ...request, landmarks: { name: 'points.csv', text } });
+  assert.equal(marked.error, undefined);
+  assert.ok(Math.abs(marked.frames.pelvic_tilt_deg - Math.atan2(20, 90) * 180 / Math.PI) < 1e-9, marked.frames.pelvic_tilt_deg);
+  assert.equal(marked.frames.scanned_deg, null);
+  assert.equal((await one('joint', request)).frames, null);
+  assert.match((await one('joint', { ...request, landmarks: { name: 'points.csv', text: 'label,x,y,z\nnose,1,2,3' } })).error, /^points.csv: its labels are of no landmark: nose; call them asis_right/);
 });
 
 test('triangles without shared corners are welded, and the centre is found', async () => {

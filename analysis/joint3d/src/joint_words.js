@@ -6,6 +6,22 @@ import { likelyUnits } from "./files_panel.js";
 const count = (faces) => (faces.length / 3).toLocaleString("en");
 const remarks = (number) => (number === 1 ? "one remark" : `${number} remarks`);
 
+const thousands = (number) => number.toLocaleString("en");
+const angle = (degrees) => `${degrees.toFixed(1).replace("-", "−")}°`;
+
+/** What of whole bones is the joint: a sentence each. */
+export const takenWords = (taken) => Object.entries(taken).filter(([, of]) => of).map(([part, { faces, of, within_mm: within }]) =>
+  `Of the ${part === "ball" ? "femur" : "pelvis"} ${thousands(faces)} of ${thousands(of)} faces, within ${within.toFixed(1)} mm of the centre, are the ${part}; the rest counts as bone beside it.`);
+
+/** What landmarks changed: a sentence, or none. */
+export function framesWords(frames) {
+  if (!frames) return [];
+  const { pelvic_tilt_deg: tilt, scanned_deg: scanned } = frames;
+  const from = scanned ? `angles are counted from neutral, and the femur was scanned at flexion ${angle(scanned[0])}, abduction ${angle(scanned[1])}, internal rotation ${angle(scanned[2])}`
+    : "angles are counted from the pose of the scan";
+  return [`By the landmarks the pelvis is tilted by ${angle(tilt)} in the scan; ${from}.`];
+}
+
 /** joint: the library's reply to `joint`; name: what the page calls it; own: it is of a reader's meshes. */
 export function showJoint(joint, name, own) {
   byId("joint-name").textContent = `${name}, ${joint.side ?? "side unknown"}`;
@@ -16,7 +32,8 @@ export function showJoint(joint, name, own) {
   byId("remarks").textContent = joint.warnings.join("\n") || "Nothing to remark.";
   if (own) byId("remarks").parentElement.open = joint.doubts > 0;
   const axes = own && joint.axes_from === "header" ? `, axes ${joint.axes} as the headers say` : "";
-  byId("files-say").textContent = own ? `Taken${axes}, with ${joint.warnings.length ? `${remarks(joint.warnings.length)} under “About the meshes”` : "nothing to remark"}.` : "";
+  const said = `Taken${axes}, with ${joint.warnings.length ? `${remarks(joint.warnings.length)} under “About the meshes”` : "nothing to remark"}.`;
+  byId("files-say").textContent = own ? [said, ...takenWords(joint.taken), ...framesWords(joint.frames)].join(" ") : "";
   byId("faces").textContent = `${count(joint.ball.faces)} + ${count(joint.socket.faces)}`;
 }
 

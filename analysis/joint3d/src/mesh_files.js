@@ -42,14 +42,14 @@ const READERS = {
   obj: fromObj,
 };
 
-/** { name, positions, faces, head } of a File. A BadFile names the file, the reason and the cure. */
+/** { name, positions, faces, head, file } of a File. A BadFile names the file, the reason and the cure. */
 export async function readMesh(file) {
   const reader = READERS[file.name.split(".").pop().toLowerCase()];
   if (!reader) fail(file, "this kind of file is not read here", "save it as PLY, STL or OBJ, or use the program impinge");
   if (file.size > LARGEST) fail(file, "it has more than 200 MB", "give a mesh of fewer faces, or use the program impinge");
   try {
     const bytes = await file.arrayBuffer();
-    const mesh = { ...reader(file, bytes), head: new Uint8Array(bytes.slice(0, HEAD)) };
+    const mesh = { ...reader(file, bytes), file, head: new Uint8Array(bytes.slice(0, HEAD)) };
     if (!mesh.positions.every(Number.isFinite)) fail(file, "it has corners that are no numbers", "save it again");
     return mesh;
   } catch (error) {
@@ -58,6 +58,14 @@ export async function readMesh(file) {
     if (error instanceof DOMException) fail(file, "the browser cannot read it", "choose it again: it may have been moved or changed");
     return fail(file, "it cannot be read as a mesh", `save it again as ${file.name.split(".").pop().toUpperCase()}, or as another kind`);
   }
+}
+
+export const isLandmarks = ({ name }) => /\.(json|fcsv|csv|tsv|txt)$/i.test(name);
+
+/** { name, text, file } of a File of landmarks, which the library reads. */
+export async function readLandmarks(file) {
+  if (!isLandmarks(file)) fail(file, "landmarks are not read from this kind of file", "give markups of 3D Slicer (.mrk.json, .fcsv) or a CSV label,x,y,z");
+  return { name: file.name, text: await file.text(), file };
 }
 
 const BALLS = /femur|femor|head|ball|humer|caput/i;
