@@ -8,31 +8,47 @@ class Stale extends Error {}
 export class EngineClient {
   /** source: the text of the engine and its worker. onLost: called with a message when the worker itself fails. */
   constructor(source, onLost) {
-    this.answers = new Map();
-    this.last = 0;
-    const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
-    this.worker = new Worker(address);
+    Object.assign(this, { answers: new Map(), last: 0, onLost });
+    this.address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+    this.open();
+  }
+
+  open() {
+    this.worker = new Worker(this.address);
     this.worker.onmessage = ({ data }) => this.answer(data);
     this.worker.onerror = (event) => {
       event.preventDefault();
       this.answers.forEach(({ reject }) => reject(new Told("the engine has stopped")));
       this.answers.clear();
-      onLost(event.message || "the engine has stopped");
+      this.onLost(event.message || "the engine has stopped");
     };
+  }
+
+  /** Nothing that was asked matters any more: a new worker, which has no joint yet. */
+  restart() {
+    this.worker.terminate();
+    this.answers.forEach(({ reject }) => reject(new Stale()));
+    this.answers.clear();
+    this.open();
   }
 
   answer({ id, ok, stale, error, ...reply }) {
     const waiting = this.answers.get(id);
     if (!waiting) return;
+    if (ok === undefined) { // not an answer yet, but how far it is
+      waiting.onReached(reply.open);
+      return;
+    }
     this.answers.delete(id);
     if (ok) waiting.resolve(reply);
     else waiting.reject(stale ? new Stale() : new Told(error));
   }
 
-  ask(kind, request = {}) {
+  /** onReached(open): the share of the work that is still to be done, of questions that say so. */
+  ask(kind, request = {}, onReached = () => {}) {
     const id = (this.last += 1);
     return new Promise((resolve, reject) => {
-      this.answers.set(id, { resolve, reject });
+      this.answers.set(id, { resolve, reject, onReached });
       this.worker.postMessage({ ...request, id, kind });
     });
   }

@@ -30,8 +30,9 @@ export function limitsCsv(joint, rows, shift = "") {
 export class LimitsPanel {
   /** ask(request): the library's reply to `limits`; shape(): shift and cartilage of the pose; onPose(motion), start and limit; fault(error). */
   constructor({ ask, shape, onPose, fault }) {
-    Object.assign(this, { ask, shape, onPose, fault, rows: [], run: 0, timer: 0, known: false, of: "" });
+    Object.assign(this, { ask, shape, onPose, fault, rows: [], run: 0, timer: 0, known: false, of: "", halted: false });
     byId("all-limits").addEventListener("toggle", () => this.begin());
+    byId("limits-cancel").addEventListener("click", () => (this.halted ? this.begin(true) : this.halt()));
   }
 
   setCatalogue({ motions }) {
@@ -47,8 +48,14 @@ export class LimitsPanel {
 
   stop() {
     this.run += 1;
-    this.rows = [];
-    this.of = "";
+    Object.assign(this, { rows: [], of: "", halted: false });
+    this.write();
+  }
+
+  /** A reader has cancelled it; what is there stays, and may be gone on with. */
+  halt() {
+    this.run += 1;
+    this.halted = true;
     this.write();
   }
 
@@ -70,12 +77,13 @@ export class LimitsPanel {
     return this.rows.length === this.motions?.length;
   }
 
-  async begin() {
-    if (!this.known || this.of || !byId("all-limits").open) return;
+  async begin(resume = false) {
+    if (!this.known || (this.of && !resume) || !byId("all-limits").open) return;
     const mine = (this.run += 1);
     const shape = this.shape();
-    this.of = JSON.stringify(shape);
-    for (const motion of this.motions) {
+    Object.assign(this, { of: JSON.stringify(shape), halted: false });
+    this.write();
+    for (const motion of this.motions.slice(this.rows.length)) {
       try {
         const { limits } = await this.ask({ ...shape, motions: [motion.name] });
         if (mine !== this.run) return;
@@ -102,10 +110,13 @@ export class LimitsPanel {
     byId("limits-rows").replaceChildren(...(this.motions ?? []).map((motion, k) => {
       const limits = this.rows[k]?.limits;
       const of = ([about, cartilage]) => limits.find((each) => each.centre === about && each.threshold_mm > 0 === cartilage);
-      const cells = limits ? COLUMNS.map((column) => this.cell(motion, of(column))) : [make("td", { colSpan: 3, textContent: k === done && this.of ? "…" : "" })];
+      const cells = limits ? COLUMNS.map((column) => this.cell(motion, of(column))) : [make("td", { colSpan: 3, textContent: k === done && this.of && !this.halted ? "…" : "" })];
       return make("tr", {}, make("th", { scope: "row" }, motion.label, ...(limits?.[0].meets ? [make("span", { className: "clock", textContent: limits[0].meets })] : [])), ...cells);
     }));
     byId("save-limits").disabled = !this.motions || !this.complete();
-    byId("limits-say").textContent = this.of && !this.complete() ? `Working, ${done} of ${this.motions.length} …` : "";
+    const going = Boolean(this.of) && !this.complete();
+    byId("limits-work").hidden = !going;
+    byId("limits-cancel").textContent = this.halted ? "Go on" : "Cancel";
+    byId("limits-say").textContent = going ? `${this.halted ? "Cancelled" : "Working"}, ${done} of ${this.motions.length}${this.halted ? "." : " …"}` : "";
   }
 }

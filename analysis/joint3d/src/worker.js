@@ -23,9 +23,12 @@ function inWords(error) {
 
 // serve(engine, post): a function that takes messages. `engine` is a promise of the engine; post(reply, transfer) sends.
 // `later` runs a function when the messages that have arrived have been taken in.
+// joint3dReached(open) of a question that says how far it is posts {id, open}.
 function serve(engine, post, later) {
   const waiting = [];
   let busy = false;
+  let answering = null;
+  globalThis.joint3dReached = (open) => post({ id: answering, open }, []);
 
   function isStale(message) {
     return message.kind === 'pose' && waiting.some((other) => other.kind === 'pose');
@@ -43,6 +46,7 @@ function serve(engine, post, later) {
       return;
     }
     const { id, kind, ...request } = message;
+    answering = id;
     try {
       if (isStale(message)) {
         reply(id, { ok: false, stale: true });
