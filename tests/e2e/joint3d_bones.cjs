@@ -44,6 +44,7 @@ async function ownMeshes(browser) {
   await choose(page, pair);
   assert.match(await text(page, "joint-name"), /ball.ply and socket.ply, right/);
   await holdAgainstProgram(page, pair);
+  await page.click("#frame > summary");
   await page.check("#centre-typed");
   await page.fill("#centre", "0, 0, 0.5");
   await posed(page, () => page.click("#use-files"));
@@ -92,6 +93,7 @@ async function badFiles(browser) {
   await page.click("#message-close");
   await page.setInputFiles("#file-ball", pair.ball);
   await page.setInputFiles("#file-socket", pair.socket);
+  await page.click("#frame > summary");
   await page.check("#centre-typed");
   await page.fill("#centre", "1, 2");
   await page.click("#use-files");
@@ -106,6 +108,7 @@ async function badFiles(browser) {
 async function realJoints(browser) {
   const bones = process.env.IMPINGE_BONES;
   const { page, faults, close } = await open(browser, SIZE, { fragment: TABLES });
+  await page.click("#frame > summary");
   for (const name of ["cargen_left", "libhip_m4_left", "vsd_z013_right"]) {
     const folder = path.join(bones, name);
     const { side, axes } = JSON.parse(fs.readFileSync(path.join(folder, "subject.json")));

@@ -176,6 +176,7 @@ async function mended(browser) {
   assert.match(await message(page), /^This cannot be right: .*which no right socket does/);
   await posed(page, () => page.click('#message-actions button:has-text("Its axes are LPS")'));
   assert.ok(await page.isHidden("#message") && Math.abs(await smallest(page) - right) < 0.02);
+  assert.ok(await page.isVisible("#axes"), "axes that were changed are hidden");
   await page.fill("#axes", "als"); // any code, in any case
   await choose(page, pair("turned", (x, y, z) => [y, -x, z]));
   assert.ok(await page.isHidden("#message"), await text(page, "message-text"));
@@ -220,6 +221,7 @@ async function slicer(browser) {
   await page.reload();
   await settled(page);
   assert.match(await text(page, "files-say"), /axes LPS as the headers say/);
+  await page.click("#frame > summary");
   await page.fill("#axes", "RAS");
   await page.click("#use-files");
   assert.match(await message(page), /slicer-ball.obj: its header says SPACE=LPS, and the field Axes says RAS; leave the field Axes out/);

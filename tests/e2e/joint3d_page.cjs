@@ -3,8 +3,10 @@
 // A page that is loaded asks its library for some seconds of work, the limits of all motions above all: so few are loaded, and
 // that panel is folded where nobody looks at it. Environment: IMPINGE, the program.
 "use strict";
+const { execFileSync } = require("node:child_process");
 const fs = require("node:fs");
-const { assert, choose, difference, madePair, message, open, picture, posed, run, smallest, text, type, value } = require("./joint3d_browser.cjs");
+const path = require("node:path");
+const { FOLDER, assert, choose, difference, madePair, message, open, picture, posed, run, settled, smallest, text, type, value } = require("./joint3d_browser.cjs");
 
 const DESKTOP = [1000, 640];
 const QUICK = { folded: ["all-limits"] };
@@ -251,9 +253,24 @@ async function shifted(page, limit) {
   await limit();
 }
 
+const fflate = () => import("../../analysis/node_modules/three/examples/jsm/libs/fflate.module.js");
+
+/** What a button gives to be kept: { name, bytes }. */
+async function download(page, id) {
+  const [file] = await Promise.all([page.waitForEvent("download"), page.click(`#${id}`)]);
+  return { name: file.suggestedFilename(), bytes: fs.readFileSync(await file.path()) };
+}
+
 /** The table of all motions: its limits are those of the panel of one motion, and its file has a line for each (tests/python/test_same_answers.py reads it). */
 async function allLimits(page, saved) {
   await fold(page, "all-limits"); // opens it
+  await page.waitForFunction(() => /^Working, [1-9]/.test(document.getElementById("limits-say").textContent));
+  await page.click("#limits-cancel");
+  const done = await text(page, "limits-say");
+  assert.match(done, /^Cancelled, \d+ of 12\.$/);
+  await page.waitForTimeout(300);
+  assert.equal(await text(page, "limits-say"), done, "it goes on");
+  await page.click("#limits-cancel");
   await page.waitForFunction(() => !document.getElementById("save-limits").disabled);
   const motions = await page.locator("#limits-rows tr").count();
   const { name, bytes } = await saved("save-limits");
@@ -276,12 +293,9 @@ async function allLimits(page, saved) {
 }
 
 async function exporting(page) {
-  const { strFromU8, unzipSync } = await import("../../analysis/node_modules/three/examples/jsm/libs/fflate.module.js");
+  const { strFromU8, unzipSync } = await fflate();
   await type(page, "flexion", 45);
-  const saved = async (id) => {
-    const [download] = await Promise.all([page.waitForEvent("download"), page.click(`#${id}`)]);
-    return { name: download.suggestedFilename(), bytes: fs.readFileSync(await download.path()) };
-  };
+  const saved = (id) => download(page, id);
   const image = await saved("save-picture");
   assert.equal(image.name, "joint3d_patient_a_stand_in_right_flexion_45.png");
   assert.equal(image.bytes.subarray(1, 4).toString(), "PNG");
@@ -312,9 +326,92 @@ async function exporting(page) {
   return { fragment: new URL(await page.inputValue("#link")).hash, gap: await text(page, "smallest-gap") };
 }
 
+/** Files that stand beside a joint: a body that a flexed femur meets, and landmarks. */
+function besideFiles() {
+  const body = path.join(FOLDER, "spine.obj");
+  const corners = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]].map((corner) => corner.map((x, k) => 6 * x + [25, 60, -5][k]));
+  const faces = [[1, 3, 5], [3, 2, 5], [2, 4, 5], [4, 1, 5], [3, 1, 6], [2, 3, 6], [4, 2, 6], [1, 4, 6]];
+  fs.writeFileSync(body, [...corners.map((x) => `v ${x.join(" ")}`), ...faces.map((x) => `f ${x.join(" ")}`), ""].join("\n"));
+  const trochanter = path.join(FOLDER, "trochanter.obj");
+  fs.writeFileSync(trochanter, fs.readFileSync(body, "utf8").replace(/^v (\S+) (\S+) (\S+)$/gm, (_, x, y, z) => `v ${x} ${Number(y) - 60} ${Number(z) - 60}`));
+  const landmarks = path.join(FOLDER, "points.csv");
+  fs.writeFileSync(landmarks, "label,x,y,z\nasis_right,20,40,80\nasis_left,-180,40,80\npubic_tubercle_right,-60,20,-10\npubic_tubercle_left,-100,20,-10\n");
+  return { body, trochanter, landmarks };
+}
+
+/** Parts and landmarks are taken with the joint, told, kept in a saved session, and left out again. */
+async function besides(page) {
+  const { body, trochanter, landmarks } = besideFiles();
+  await page.click("#more > summary");
+  await page.setInputFiles("#file-ball_parts", trochanter);
+  await page.setInputFiles("#file-socket_parts", body);
+  await page.setInputFiles("#file-landmarks", landmarks);
+  await posed(page, () => page.click("#use-files"));
+  assert.match(await text(page, "files-say"), /By the landmarks the pelvis is tilted by 12\.5° in the scan; angles are counted from the pose of the scan\./);
+  const faces = await text(page, "faces");
+  await type(page, "flexion", 33);
+  const { name, bytes } = await download(page, "save-session");
+  assert.equal(name, "session_ball_and_socket_right_flexion_33.zip");
+  const { strFromU8, unzipSync } = await fflate();
+  const packed = unzipSync(new Uint8Array(bytes));
+  assert.deepEqual(Object.keys(packed).sort(), ["ball.ply", "points.csv", "session.json", "socket.ply", "spine.obj", "trochanter.obj"]);
+  assert.ok(Buffer.from(packed["ball.ply"]).equals(fs.readFileSync(madePair("cam").ball)), "not the file that was given");
+  const folder = path.join(FOLDER, "session"); // which the program reads
+  fs.mkdirSync(folder);
+  Object.entries(packed).forEach(([file, content]) => fs.writeFileSync(path.join(folder, file), content));
+  const said = JSON.parse(strFromU8(packed["session.json"]));
+  const program = execFileSync(process.env.IMPINGE, ["touch", said.ball, said.socket, "--config", "session.json", "--pose", "flexion=33"], { cwd: folder, encoding: "utf8" });
+  assert.match(program, /tilt 12\.5 degrees/);
+  await page.click("#no-more");
+  await posed(page, () => page.click("#use-files"));
+  assert.notEqual(await text(page, "faces"), faces);
+  assert.ok(await page.isHidden("#no-more"));
+  await posed(page, () => page.selectOption("#preset", "normal"));
+  await type(page, "flexion", 0);
+  const file = path.join(FOLDER, name);
+  fs.writeFileSync(file, bytes);
+  await posed(page, () => page.setInputFiles("#open-session", file));
+  await page.waitForFunction((all) => document.getElementById("faces").textContent === all, faces);
+  assert.deepEqual([await value(page, "value-flexion"), await text(page, "name-socket_parts"), await text(page, "name-landmarks")], [33, "spine.obj", "points.csv"]);
+  assert.match(await text(page, "joint-name"), /ball.ply and socket.ply, right/);
+  await page.setInputFiles("#open-session", body);
+  assert.match(await message(page), /^spine.obj: it is no session; choose a session/);
+  await page.click("#message-close");
+  await page.click("#no-more");
+  await posed(page, () => page.click("#use-files"));
+}
+
+/** A joint that takes long to make is cancelled: the one before stays, and moves. */
+async function cancelled(page) {
+  const before = await text(page, "joint-name");
+  const folder = path.join(FOLDER, "large");
+  execFileSync(process.env.IMPINGE, ["hip", "cam", "--set", "side=right", "--faces", "60000", "--out", folder], { stdio: "pipe" });
+  await page.setInputFiles("#file-ball", path.join(folder, "ball.ply"));
+  await page.setInputFiles("#file-socket", path.join(folder, "socket.ply"));
+  const faces = await text(page, "faces");
+  await page.click("#use-files");
+  await page.waitForSelector('#stage[aria-busy="true"]');
+  await page.evaluate(() => document.getElementById("stage-cancel").click());
+  await page.waitForSelector('#stage[aria-busy="false"]');
+  assert.deepEqual([await text(page, "joint-name"), await text(page, "faces")], [before, faces]);
+  const gap = await smallest(page);
+  await type(page, "flexion", 80);
+  assert.notEqual(await smallest(page), gap, "the joint before does not move");
+  await posed(page, () => page.click("#reset-pose"));
+}
+
+/** What a panel works out can be cancelled and taken up again. */
+async function halted(page, id) {
+  await page.click(`#${id}-cancel`);
+  assert.match(await page.textContent(`#${id} .working`), /Cancelled\.Work it out$/);
+  await page.click(`#${id}-cancel`);
+  assert.match(await page.textContent(`#${id} .working`), /^\d+ s.*Cancel$/);
+}
+
 /** A reader's own joint, of so few faces that what is worked out of it is quick. */
 async function ownJoint(page) {
   await fold(page, "all-limits");
+  await page.click("#frame > summary");
   for (const [id, choice] of [["file-side", "left"], ["file-side", "right"], ["unit", "cm"], ["unit", "mm"]]) await page.selectOption(`#${id}`, choice);
   await page.fill("#axes", "ras");
   await page.check("#centre-typed");
@@ -326,6 +423,9 @@ async function ownJoint(page) {
   await posed(page, () => page.click("#use-files"));
   assert.match(await text(page, "centre-say"), /Centre fitted at .*: radius 24.00 mm/);
   assert.match(await text(page, "files-say"), /^Taken, with/);
+  await besides(page);
+  await cancelled(page);
+  await choose(page, madePair("cam"));
   await posed(page, () => page.click("#reset-pose"));
 }
 
@@ -370,9 +470,26 @@ async function keyboardAlone(page) {
     .filter((control) => !(control.labels?.length || control.ariaLabel || control.textContent.trim())).map(({ id }) => id)), [], "no label");
 }
 
+/** A phone that opens the page has half of its screen for the picture, none of it under the legend, and tables folded. */
+async function onAPhone(page) {
+  const context = await page.context().browser().newContext({ viewport: { width: 400, height: 860 } });
+  const phone = await context.newPage();
+  await phone.goto(page.url().replace(/#.*/, ""));
+  await settled(phone);
+  const box = (id) => phone.locator(id).boundingBox();
+  await phone.locator("#about").scrollIntoViewIfNeeded();
+  const [view, legend] = [await box("#view"), await box("#legend")];
+  assert.ok(view.y >= 0 && view.height >= 429 && view.y + view.height <= legend.y + 1 && legend.y + legend.height <= 560, JSON.stringify([view, legend]));
+  for (const [id, open] of [["files", true], ["motion", true], ["numbers", true], ["all-limits", false], ["tables", false], ["measures", false]])
+    assert.equal(await phone.evaluate((each) => document.getElementById(each).open, id), open, id);
+  for (const row of await phone.locator("#legend li").all()) { const { x, width } = await row.boundingBox(); assert.ok(x >= 0 && x + width <= 400, "a row of the legend is cut off"); }
+  await context.close();
+}
+
 async function everyWidth(page) {
   assert.match(await page.textContent("header .notice"), /no medical device/);
   await fold(page, "spread");
+  await onAPhone(page);
   for (const size of [[1440, 900], [1024, 768], [400, 800], [390, 844], [844, 390]]) {
     await page.setViewportSize({ width: size[0], height: size[1] });
     await picture(page); // drawn anew
@@ -431,6 +548,15 @@ async function surroundings(browser) {
   await close();
 }
 
+/** The colours of the squares of the program's own map, flexion by flexion from the least abduction. */
+function volumeOfProgram(hip) {
+  const { ball, socket } = madePair(hip);
+  const folder = path.join(FOLDER, "volume");
+  execFileSync(process.env.IMPINGE, ["volume", ball, socket, "--side", "right", "--width", "0.05", "--out", folder], { stdio: "pipe" });
+  const squares = [...fs.readFileSync(path.join(folder, "volume.svg"), "utf8").matchAll(/<rect x="(\d+)" y="(\d+)" width="5" height="5" fill="([^"]+)"/g)];
+  return squares.map(([, x, y, fill]) => [Number(x), Number(y), fill]).sort((a, b) => a[0] - b[0] || b[1] - a[1]).map(([, , fill]) => fill);
+}
+
 /** Worked out when the panel is opened; the ring is where the pose is, and another joint has another volume. */
 async function motionVolume(page) {
   await choose(page, madePair("cam"));
@@ -441,9 +567,12 @@ async function motionVolume(page) {
     return (await text(page, "volume-say")).match(/[\d.]+(?= to|\s%)/g).map(Number);
   };
   await fold(page, "volume");
+  await halted(page, "volume");
+  await page.waitForFunction(() => /% of all rotations are undecided, 5 % may be/.test(document.querySelector("#volume .working").textContent));
   const [low, high, least, most] = await shares();
   assert.ok(0 < least && least <= low && low < high && high - low < 5.2 && most <= high, `${low} to ${high}, ${least} to ${most}`);
-  assert.equal(await page.locator("#volume-plot rect").count(), 46 * 36);
+  assert.deepEqual(await page.locator("#volume-plot rect").evaluateAll((all) => all.map((rect) => rect.getAttribute("fill"))), volumeOfProgram("cam"));
+  assert.match(await text(page, "volume-key"), /^rotation without contact, internal and external together, degrees: 0 30 60 90 120\+ blocked undecided$/);
   const ring = () => page.getAttribute("#volume-plot circle", "cx").then(Number);
   const [before, here] = [await ring(), await text(page, "volume-here")];
   await type(page, "flexion", 0);
@@ -461,6 +590,7 @@ async function cut(page) {
   await fold(page, "cut");
   await page.fill("#cut-required", "flexion=90, internal_rotation=30");
   await page.press("#cut-required", "Enter");
+  await halted(page, "cut");
   const found = () => page.waitForSelector("#cut-found:not([hidden])");
   const volume = async () => { await found(); return (await page.textContent("#cut-numbers dd")).match(/[\d.]+/g).map(Number); };
   const [low, high] = await volume();
@@ -534,6 +664,7 @@ async function orientation(page) {
   await fold(page, "orientation");
   await page.fill("#orientation-required", "flexion=90, internal_rotation=10");
   await page.press("#orientation-required", "Enter");
+  await halted(page, "orientation");
   const said = async () => {
     await page.waitForFunction(() => /square degrees/.test(document.getElementById("orientation-say").textContent));
     return text(page, "orientation-say");
@@ -552,7 +683,7 @@ async function orientation(page) {
   assert.match(blocked, /: blocked\./);
   await page.fill("#orientation-tilt", "10");
   await page.press("#orientation-tilt", "Enter");
-  await page.waitForFunction((was) => !["", "Working, which takes some seconds …", was].includes(document.getElementById("orientation-say").textContent), blocked);
+  await page.waitForFunction((was) => !["", was].includes(document.getElementById("orientation-say").textContent), blocked);
   assert.match(await text(page, "orientation-notice"), /may guide a treatment/);
   await fold(page, "orientation");
   await posed(page, () => page.click("#reset-pose"));

@@ -8,6 +8,7 @@ import { shownRows } from "./look_bar.js";
 import { labelledPicture } from "./picture.js";
 import { fileStem, poseWords, shiftWords } from "./pose_words.js";
 import { gapWords } from "./readouts.js";
+import { sessionBytes } from "./session_file.js";
 import { OWN } from "./state.js";
 
 function save(content, name) {
@@ -25,12 +26,13 @@ const titled = (name, { side }) => `${name}, ${side ?? "side unknown"}`;
 /** What gaps.csv was made from. joint and pose: the library's replies. */
 function metadata(app, joint, pose, tables) {
   const { motion, offset, cartilage } = app.state;
-  const { label, ball, socket, ...given } = app.own ?? {};
+  const { label, ball, socket, landmarks, ...given } = app.own ?? {};
   const gap = pose.smallest_gap;
   const own = app.state.joint.name === OWN;
+  const names = (bone) => [bone, ...bone.parts].map(({ name }) => name);
   return {
     program: `impinge ${about("version")}`, commit: about("commit"), made: new Date().toISOString(), columns: COLUMNS,
-    joint: own ? { ball: ball.name, socket: socket.name, ...given } : { preset: app.state.joint.name, parameters: joint.parameters },
+    joint: own ? { ball: names(ball), socket: names(socket), landmarks: landmarks?.name ?? null, ...given } : { preset: app.state.joint.name, parameters: joint.parameters },
     side: joint.side, axes: joint.axes, centre_mm: joint.centre, fit: joint.fit, warnings: joint.warnings,
     pose_deg: motion, shift_mm_right_forward_up: offset, matrix_column_by_column: [...pose.matrix], cartilage_mm: cartilage,
     tables, smallest_gap: gap && { gap_mm: gap.gap_mm, surface: gap.surface, vertex: gap.vertex, position: gap.position, place: pose.place, clock: gap.clock },
@@ -43,7 +45,7 @@ export class ExportPanel {
     Object.assign(this, { app, view, ask, shown, write });
     const actions = {
       "save-picture": () => this.picture(), "save-csv": () => this.gaps(), "save-limits": () => this.limits(),
-      "save-ball": () => this.surface("ball"), "save-socket": () => this.surface("socket"), "copy-link": () => this.link(),
+      "save-ball": () => this.surface("ball"), "save-socket": () => this.surface("socket"), "copy-link": () => this.link(), "save-session": () => this.session(),
     };
     Object.entries(actions).forEach(([id, act]) => byId(id).addEventListener("click", () => act().catch(fault)));
   }
@@ -79,12 +81,17 @@ export class ExportPanel {
     save(limitsCsv(titled(name, joint), limits, shiftWords(offset).replaceAll("−", "-")), `limits_${fileStem(name, joint.side, { motion: {}, offset })}.csv`);
   }
 
+  async session() {
+    const bytes = await sessionBytes(this.app.state, this.app.own, { program: `impinge ${about("version")}`, commit: about("commit") });
+    save(bytes, this.named("session", "zip"));
+  }
+
   async link() {
     this.write();
     byId("link").value = location.href;
     byId("link-row").hidden = false;
     byId("link").select();
-    const note = this.app.state.joint.name === OWN ? " Your meshes are not in it: they stay on this computer." : "";
+    const note = this.app.state.joint.name === OWN ? " Your meshes are not in it: save the session to have them beside it." : "";
     const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
     byId("link-say").textContent = `${copied ? "Copied." : "Copy it from here."}${note}`;
   }

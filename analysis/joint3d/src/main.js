@@ -24,6 +24,7 @@ import { PointsPanel } from "./points_panel.js";
 import { Poses } from "./poses.js";
 import { Proof } from "./proof.js";
 import { SceneView } from "./scene_view.js";
+import { readSession } from "./session_file.js";
 import { SlowWorker } from "./slow_worker.js";
 import { OWN, firstState, fromFragment } from "./state.js";
 import { SweepPanel, poseAlong } from "./sweep_panel.js";
@@ -31,7 +32,7 @@ import { TablesPanel } from "./tables_panel.js";
 import { VolumePanel } from "./volume_panel.js";
 
 const REST = 350; // ms without a change before what takes longer begins
-const NOT_KEPT = "The meshes of this address are not here: a browser keeps them for its tab alone. Choose them again under “Your own joint”.";
+const NOT_KEPT = "The meshes of this address are not here: a browser keeps them for its tab alone. Choose them again under “Your own joint”, or open a session that was saved.";
 const app = { state: fromFragment(location.hash), drag: "view", own: null, ready: false }; // own: a reader's meshes, as FilesPanel has them, and what they are called
 
 /** Within another page, "embedded" among the words of the fragment leaves the picture alone. */
@@ -76,8 +77,8 @@ function start() {
   const joints = new JointPanel(app, askJoint);
   const files = new FilesPanel((own) => {
     app.player.stop();
-    make.joint(ownRequest(own), { ...own, label: `${own.ball.name} and ${own.socket.name}` });
-  }, fault);
+    make.joint(ownRequest(own), own);
+  }, openSession, fault);
   const write = keepAddress(app, () => { frame(); begin(); });
   new ExportPanel(app, view, { write, fault, ask: (request) => live.ask("export", { ...request, pose: poses.request() }),
     shown: () => ({ joint: shown, pose: poses.shown, tables: tables.now, limits: limits.rows, name: joints.name() }) });
@@ -159,6 +160,7 @@ function start() {
     view.canvas.classList.toggle("moves", drag.active);
   };
   view.onLost = (gone) => say(gone ? "The graphics were lost; they come back by themselves." : "", "warning");
+  byId("open-session").addEventListener("change", ({ target }) => { if (target.files[0]) openSession(target.files[0]); });
   byId("message-close").addEventListener("click", () => say(""));
   document.querySelector(".skip").addEventListener("click", (event) => { // no other address: that is the state
     event.preventDefault();
@@ -174,6 +176,23 @@ function start() {
     if (app.own || app.state.joint.name !== OWN) return;
     app.state.joint = firstState().joint;
     say(NOT_KEPT, "warning");
+  }
+
+  /** A saved session, with its meshes. */
+  async function openSession(file) {
+    try {
+      const { fragment, files: lists, fields } = await readSession(file);
+      app.player.stop();
+      if (lists) {
+        files.take(lists, true);
+        files.fill(fields);
+        app.own = await files.own();
+      }
+      app.state = fromFragment(fragment);
+      await begin();
+    } catch (error) {
+      fault(error);
+    }
   }
 
   async function begin() {
