@@ -304,11 +304,17 @@ std::string limits_section(const ReportParts& parts) {
 std::string limits_table(const Json& limits) {
   if (limits.is_null()) return "";
   const std::vector<Json> cartilage = ball_limits(limits, true);
-  HtmlTable table({"Motion", "bones meet",
-                   formatted("for centres within %g mm", limits["centre_within_mm"].get<double>()),
-                   "gap of 0.5 mm", "gap of cartilage", "o'clock", "what meets, and doubts"});
+  std::vector<std::string> heads{
+      "Motion",
+      "bones meet",
+      formatted("for centres within %g mm", limits["centre_within_mm"].get<double>()),
+      "gap of 0.5 mm",
+      "o'clock",
+      "what meets, and doubts"};
+  if (!cartilage.empty()) heads.emplace_back("gap of cartilage");
+  HtmlTable table(heads);
   for (const Json& limit : ball_limits(limits, false)) {
-    std::vector<std::string> cells(7);
+    std::vector<std::string> cells(heads.size());
     cells[0] = motion_words(limit["motion"]);
     cells[1] = reach_words(limit);
     if (limit["state"] == "limited")
@@ -316,11 +322,11 @@ std::string limits_table(const Json& limits) {
           rounded_down(limit["centre_low_deg"], 1) + " to " +
           (limit["centre_high_deg"].is_number() ? rounded_up(limit["centre_high_deg"], 1) + "°" : "unknown");
     if (limit["half_mm_gap_deg"].is_number()) cells[3] = rounded_down(limit["half_mm_gap_deg"], 1) + "°";
+    cells[4] = text_or(limit["clock"]);
+    cells[5] = text_or(limit["what"]);
     for (const Json& other : cartilage)
       if (other["motion"] == limit["motion"])
-        cells[4] = other["state"] == "blocked" ? "from the start" : reach_words(other);
-    cells[5] = text_or(limit["clock"]);
-    cells[6] = text_or(limit["what"]);
+        cells.back() = other["state"] == "blocked" ? "from the start" : reach_words(other);
     table.add(cells);
   }
   return section("limits-table", "Range of motion in numbers", table.text(), " class=\"wide\"");
