@@ -30,7 +30,7 @@ TEST(JointOptions, Defaults) {
   EXPECT_FALSE(options.side);
   EXPECT_FALSE(options.axes);
   EXPECT_FALSE(options.keep_largest);
-  EXPECT_EQ(options.cartilage_mm, 4.0);
+  EXPECT_FALSE(options.cartilage_mm);
 }
 
 TEST(JointOptions, AreReadAsTheyAreWritten) {
