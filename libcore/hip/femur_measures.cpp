@@ -176,8 +176,11 @@ double notzli_alpha(const TriangleMesh& mesh, const Vec3& middle_of_neck, const 
   for (const Segment& s : contour) {
     const Vec3 a = s[0] - centre;
     const Vec3 b = s[1] - centre;
-    if ((a.norm() < left) != (b.norm() < left) && a.dot(y) > 0.0)
-      crossings.push_back(angle_between(a.norm() < left ? a : b, axis) / kDegree);
+    const double from = a.norm() - left;
+    const double to = b.norm() - left;
+    if ((from < 0.0) == (to < 0.0)) continue;
+    const Vec3 left_at = a + from / (from - to) * (b - a);
+    if (left_at.dot(y) > 0.0) crossings.push_back(angle_between(left_at, axis) / kDegree);
   }
   return last_of(std::move(crossings));
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// A hip measured from its meshes alone, by the definitions of hip_parameters.hpp. Angles in degrees, lengths
-/// in mm. On a generated hip the measures equal its parameters to 0.5 degrees and 0.05 mm (tested).
+/// in mm. On a generated hip the measures equal its parameters to 0.5 degrees (alpha_notzli to 0.8) and 0.05
+/// mm (tested).
 #pragma once
 
 #include <array>

@@ -22,8 +22,9 @@
 namespace impinge {
 namespace {
 
-constexpr double kAngle = 0.5;    // degrees
-constexpr double kLength = 0.05;  // mm
+constexpr double kAngle = 0.5;              // degrees
+constexpr double kAngleOfOneContour = 0.8;  // the same, where no median evens out the triangles
+constexpr double kLength = 0.05;            // mm
 const Vec3 kFarAway(40.0, -70.0, 900.0);
 
 // Over the time that a measured alpha is the median of: on top of a narrow cam it is up to a degree below
@@ -50,7 +51,7 @@ void expect_measures(const HipParameters& p, const Hip& hip) {
   for (std::size_t h = 0; h < kClockHours; ++h)
     EXPECT_NEAR(femur.alpha[h], alpha_angle_deg(surface, static_cast<double>(h)), kAngle) << h << " o'clock";
   EXPECT_NEAR(femur.alpha_at_1_30, median_alpha(surface, 1.5), kAngle);
-  EXPECT_NEAR(femur.alpha_notzli, alpha_angle_deg(surface, 3.0), kAngle);  // the head is a sphere
+  EXPECT_NEAR(femur.alpha_notzli, alpha_angle_deg(surface, 3.0), kAngleOfOneContour);  // heads are spheres
 
   const AcetabulumMeasures socket = measure_acetabulum(test::moved(hip.socket, kFarAway), femur.head, p.side);
   EXPECT_NEAR(socket.socket.radius - femur.head.radius, p.joint_space, kLength);
