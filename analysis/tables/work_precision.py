@@ -25,7 +25,12 @@ def main(options) -> common.Table:
     trees = rows[rows.line == "Embree"].sort_values("thousand").drop_duplicates("scene").set_index("scene")
     rows["pays_from_poses"] = [work_precision.pays_from(row, trees.loc[row.scene]) for row in rows.itertuples()]
     rows["pays_from_poses"] = rows.pays_from_poses.replace(np.inf, np.nan)
-    return rows[[*COLUMNS, "pays_from_poses"]], ""
+    table = rows[[*COLUMNS, "pays_from_poses"]]
+    lines = [
+        [common.tex(f"{row.scene}, {row.line}"), common.tex(row.setting), *(common.digits(value, 3) for value in (row.error_um, row.bound_um, row.pose_us, row.build_ms))]
+        for row in table.itertuples()
+    ]
+    return table, common.tabular("@{}llrrrr@{}", [r" & & µm & bound, µm & µs a pose & ms to build \\"], lines)
 
 
 def latex(steps: pd.DataFrame) -> str:

@@ -63,7 +63,7 @@ const GapPlan kFew{{{kMainCells}, {0.5}}};
 
 // All methods from coarse to fine: the lines of the work-precision diagram.
 GapPlan lines(bool quick) {
-  if (quick) return {{{kMainCells}, {0.5}, {2.0, 0.5, 0.1}, {{}, 30000, 13000, {1.05, 2000}}}, false};
+  if (quick) return {{{kMainCells}, {0.5}, {2.0, 0.5}, {{}, 30000, 13000, {1.05, 2000}}}, false};
   return {{{kMainCells}, {0.5}, {2.0, 1.0, 0.5, 0.2, 0.1, 0.05}, {{}, 1100000, 13000, {1.05, 100000}}}, true};
 }
 

@@ -52,7 +52,9 @@ VolumeRow volume_row(const VolumeCell& at) {
                 .reachable = at.reachable};
   if (!at.reachable && at.within_reach) row.reachable.reset();
   row.free = at.state == CellState::free ? row.share : at.part != nullptr ? at.part->free_share : 0.0;
-  row.blocked = at.state == CellState::blocked ? row.share : at.part != nullptr ? at.part->blocked_share : 0.0;
+  row.blocked = at.state == CellState::blocked ? row.share
+                : at.part != nullptr           ? at.part->blocked_share
+                                               : 0.0;
   return row;
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kQuestions{"gaps",   "touch",  "poses",   "limits", "volume",
+const std::vector<std::string> kQuestions{"gaps",   "touch",  "poses",   "limits",  "volume",
                                           "resect", "orient", "measure", "certify", "report"};
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }

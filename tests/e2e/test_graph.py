@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import json
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -102,7 +101,8 @@ class Joints(unittest.TestCase):
             (self.folder / "bones" / name).mkdir(parents=True)
             for file in files:
                 ball = file.split(".")[0] in graph.BALLS
-                shutil.copy(self.folder / "pair" / ("ball.ply" if ball else "socket.ply"), self.folder / "bones" / name / file)
+                mesh = (self.folder / "pair" / ("ball.ply" if ball else "socket.ply")).read_bytes()
+                (self.folder / "bones" / name / file).write_bytes(mesh.replace(b"comment SPACE=RAS\n", b""))
             if said is not None:
                 (self.folder / "bones" / name / "subject.json").write_text(json.dumps(said))
         (self.folder / "bones" / "a_file").write_text("")

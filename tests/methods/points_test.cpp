@@ -310,7 +310,8 @@ TEST(Bytes, OfLibrariesAreThoseOfTheirTrees) {
   const double least = 300.0 * 9.0 * 4.0 / 3.0;
   for (const PointCase& one : all_cases(scene))
     EXPECT_FALSE(one.make().bytes <= least) << one.name << ": NaN where nobody counts";
-  for (const GapCase& one : gap_cases(scene.surface(), Layer::nearest)) EXPECT_FALSE(one.make().bytes <= least) << one.name;
+  for (const GapCase& one : gap_cases(scene.surface(), Layer::nearest))
+    EXPECT_FALSE(one.make().bytes <= least) << one.name;
 }
 
 }  // namespace

@@ -186,5 +186,5 @@ def test_matrices_that_no_joint_can_follow_are_warned_of(files):
 
 def test_a_gap_that_is_there_from_the_start_is_warned_of(hip):
     with pytest.warns(UserWarning, match="the smallest gap at the start is 3.* mm .*not above the 4 mm of cartilage_mm="):
-        rows = hip.limits("flexion")["limits"]
+        rows = hip.limits("flexion", cartilage_mm=4)["limits"]
     assert [row["state"] for row in rows if row["threshold_mm"] == 4] == ["blocked"]

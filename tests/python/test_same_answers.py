@@ -119,7 +119,7 @@ def test_gaps_of_the_tables_of_the_page(page, joint):
 
 def test_limits_of_the_page(page, floats, tmp_path):
     """The CSV that the page saves, row by row."""
-    asked(floats, tmp_path, "limits")
+    asked(floats, tmp_path, "limits", "--cartilage", "4")
     theirs, mine = table(tmp_path, "limits.csv"), rows_of(page["limits"])
     same = ("joint", "motion", "threshold_mm", "centre", "state", "clock", "what")
     assert list(mine[0]) == list(theirs[0]) and texts(mine, *same) == texts(theirs, *same)
