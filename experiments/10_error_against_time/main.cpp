@@ -5,7 +5,7 @@
 // @writes    first_contact first_contact_samples
 // @bones     yes
 // @timing    yes
-// @seconds   130 3600
+// @seconds   100 3600
 // @links     harness hip real_joints reference contact_poses contact change benchmark_scene
 // @links     methods points_methods gaps_methods contact_methods gap_simd instruction_set
 //
@@ -68,7 +68,7 @@ GapPlan lines(bool quick) {
 }
 
 std::vector<Planned> quick_scenes() {
-  return {generated(300, true, false, {}), generated(3000, true, true, GapPlan{{{kMainCells}, {}}}),
+  return {generated(3000, false, true, GapPlan{{{kMainCells}, {}}}),
           generated(12000, true, true, lines(true)), hip("normal", kHipFaces, false, true, lines(true))};
 }
 
