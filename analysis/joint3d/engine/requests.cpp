@@ -138,6 +138,7 @@ LimitRequest limit_request(const val& request) {
   for (const NamedMotion& motion : named_motions()) {
     if (motion.name != name) continue;
     limit.growing = motion.growing;
+    limit.motion = motion.name;
     limit.start = motion.start;
   }
   if (is_given(request["pose"])) limit.start = motion_request(request["pose"]);
