@@ -72,7 +72,7 @@ def tree_growth(results: Path) -> Finding:
         "The distances of n points take O(n log n) with a tree, and O(n) with the table.",
         f"From {small:,} to {large:,} triangles the time of a point grows by the factor {tree.low:.2f} to {tree.high:.2f} with Embree's tree, where "
         f"log n grows by {by_log:.2f}, and by {table.low:.2f} to {table.high:.2f} with a table of one size, which has to be filled first.",
-        "all_gaps: ns_vertex, iqr_ns; both as shares of what log n allows",
+        "all_gaps: ns_vertex, iqr_ns, both as shares of what log n allows",
         value=Range(max(tree.low / 1.5, table.low) / by_log, max(tree.high / 1.5, table.high) / by_log),
         within=(0, 1),
         otherwise="imprecise",
@@ -136,7 +136,7 @@ def field_memory(results: Path) -> Finding:
         f"{int(field['size'])} nodes a side take {rounded(field.bytes / 1e3)} kB and {rounded(field.build_ms, 2)} ms for an error of "
         f"{rounded(1e3 * field.rms_error_mm, 2)} micrometres (root mean square); RSID at {enough['size']:g} degrees takes "
         f"{rounded(enough.bytes / 1e3)} kB and {rounded(enough.build_ms, 2)} ms for {rounded(1e3 * enough.rms_error_mm, 2)}.",
-        "baselines: bytes, build_ms, rms_error_mm; RSID's time and bytes as shares, the larger",
+        "baselines: bytes, build_ms, rms_error_mm, RSID's time and bytes as shares, the larger",
         value=Range(*(max(share, enough.bytes / field.bytes) for share in dataclasses.astuple((built[0] / built[1]).widened(MACHINE)))),
         within=(0, 1),
         otherwise="imprecise",
