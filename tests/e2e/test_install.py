@@ -68,9 +68,8 @@ class Install(unittest.TestCase):
         shutil.copytree(ROOT, clone, ignore=left_out)
         self.configure(clone, build)
         run("ninja", "-C", build, "-n", "library")
-        for script in ("three/package.json", "plotly.js-basic-dist-min/plotly-basic.min.js"):
-            said = run("ninja", "-C", build, clone / "analysis/node_modules" / script, expected=1)
-            self.assertIn("npm ci --prefix analysis", said)
+        said = run("ninja", "-C", build, clone / "analysis/node_modules/three/package.json", expected=1)
+        self.assertIn("npm ci --prefix analysis", said)
 
     def test_an_unknown_component_is_refused_by_name(self):
         source = self.folder / "source"
