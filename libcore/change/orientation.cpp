@@ -112,4 +112,29 @@ std::vector<OrientationCell> orientation_map(const CellTest& joint, const Orient
   return Map(joint, question).cells();
 }
 
+// sin^2(t / 2) = sin^2(d / 2) + sin^2(e / 2) - sin^2(d / 2) sin^2(e / 2), which is exact for small turns.
+static double turn_of(const CupAngles& change) {
+  const double d = std::sin(0.5 * change.inclination_deg * kDegree);
+  const double e = std::sin(0.5 * change.anteversion_deg * kDegree);
+  return 2.0 * std::asin(std::min(1.0, std::sqrt(d * d + e * e * (1.0 - d * d)))) / kDegree;
+}
+
+std::optional<NearestOrientation> nearest_orientation(std::span<const OrientationCell> cells,
+                                                      const CupAngles& from,
+                                                      std::initializer_list<CellState> states) {
+  std::optional<NearestOrientation> nearest;
+  for (const OrientationCell& cell : cells) {
+    if (std::find(states.begin(), states.end(), cell.state) == states.end()) continue;
+    const auto near = [&](double CupAngles::*angle) {
+      return std::clamp(from.*angle, cell.middle.*angle - cell.half_deg, cell.middle.*angle + cell.half_deg);
+    };
+    const CupAngles at{near(&CupAngles::inclination_deg), near(&CupAngles::anteversion_deg)};
+    const CupAngles change{at.inclination_deg - from.inclination_deg,
+                           at.anteversion_deg - from.anteversion_deg};
+    const double turn = turn_of(change);
+    if (!nearest || turn < nearest->turn_deg) nearest = NearestOrientation{at, change, turn};
+  }
+  return nearest;
+}
+
 }  // namespace impinge

@@ -16,7 +16,9 @@
 ///   open     none of these is shown at the finest resolution
 #pragma once
 
+#include <initializer_list>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "change/required_motion.hpp"
@@ -46,5 +48,18 @@ struct OrientationCell {
 
 /// All cells, of which the map is made up. The same for every run.
 std::vector<OrientationCell> orientation_map(const CellTest& joint, const OrientationQuestion& question);
+
+/// One of a map, and the turn that leads there.
+struct NearestOrientation {
+  CupAngles angles;       // degrees, of the orientation
+  CupAngles change;       // from where the socket is
+  double turn_deg = 0.0;  // angle t of the rotation M(a) M(a0)^-1: with d and e the changes,
+                          // cos(t / 2) = cos(d / 2) cos(e / 2)
+};
+/// The one in cells of these states to which the least turn leads, the first such; none without such a cell.
+/// t grows with either change, so that of a cell it is the place with the smallest of both.
+std::optional<NearestOrientation> nearest_orientation(std::span<const OrientationCell> cells,
+                                                      const CupAngles& from,
+                                                      std::initializer_list<CellState> states);
 
 }  // namespace impinge

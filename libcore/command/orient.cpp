@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/orient.hpp"
 
+#include "command/orient_picture.hpp"
 #include "command/question_command.hpp"
 #include "files/formatted.hpp"
 
@@ -21,14 +22,34 @@ std::string orientation_csv(const OrientAnswer& found) {
   return to_csv(table);
 }
 
+// Where to turn it, and how.
+std::string nearest_text(const OrientAnswer& found) {
+  if (!found.nearest_free) return "nearest free        none: no square of the map is\n";
+  const auto& [to, axis, at_least_deg] = *found.nearest_free;
+  if (!axis) return "nearest free        the socket as scanned\n";
+  std::string text =
+      formatted("nearest free        inclination %.1f, anteversion %.1f degrees: %+.1f and %+.1f\n",
+                to.angles.inclination_deg, to.angles.anteversion_deg, to.change.inclination_deg,
+                to.change.anteversion_deg) +
+      formatted(
+          "                    a turn of the socket by %.1f degrees about the axis %.3f, %.3f, %.3f of the "
+          "frame of the meshes",
+          to.turn_deg, axis->x(), axis->y(), axis->z());
+  if (at_least_deg < to.turn_deg)
+    text += formatted("; none is free after less than %s", rounded_down(at_least_deg, 1).c_str());
+  return text + "\n";
+}
+
 std::string screen_text(const OrientAnswer& found, double tilt_deg) {
   const auto& [now, map, area] = std::tie(found.as_scanned, found.map, found.area_deg2);
   std::string text;
   for (const std::string& leg : found.legs)
     text += (text.empty() ? "required            " : "                    ") + leg + "\n";
   return text + formatted("tilt                %g degrees\n", tilt_deg) +
-         formatted("socket as scanned   inclination %.1f, anteversion %.1f degrees (radiographic): %s\n",
-                   now.inclination_deg, now.anteversion_deg, std::string(name(now.state)).c_str()) +
+         formatted("socket as scanned   inclination %.1f, anteversion %.1f degrees (radiographic, %s): %s\n",
+                   now.inclination_deg, now.anteversion_deg, now.angles.c_str(),
+                   std::string(name(now.state)).c_str()) +
+         nearest_text(found) +
          formatted("map                 of inclination %g to %g and anteversion %g to %g degrees\n",
                    map.least_inclination_deg, map.least_inclination_deg + map.width_deg,
                    map.least_anteversion_deg, map.least_anteversion_deg + map.width_deg) +
@@ -40,9 +61,12 @@ std::string screen_text(const OrientAnswer& found, double tilt_deg) {
 Told told(Session& session, const OrientRequest& request, const Work& /*work*/) {
   const OrientAnswer found = answer(session, request);
   Told told{.words = screen_text(found, request.tilt_deg), .document = json_of(found)};
-  told.files = {{"orientation.csv", orientation_csv(found)}, {"orientation.json", text_of(told.document)}};
+  told.files = {{"orientation.csv", orientation_csv(found)},
+                {"orientation.json", text_of(told.document)},
+                {"orientation.svg", orient_picture(found)}};
   told.row_of_one = {{"inclination_deg", "/as_scanned/inclination_deg"},
                      {"anteversion_deg", "/as_scanned/anteversion_deg"},
+                     {"angles", "/as_scanned/angles"},
                      {"state", "/as_scanned/state"},
                      {"free_deg2", "/area_deg2/free"},
                      {"blocked_deg2", "/area_deg2/blocked"},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -161,22 +162,44 @@ void add_measures(const std::vector<Named>& names, std::span<const Varied> choic
 
 }  // namespace
 
-std::vector<Measure> measure_hip(const BallSocketPair& joint, Side side) {
+SphereFit head_or_centre(const TriangleMesh& ball) {
   SphereFit head;
   try {
-    head = fit_ball(joint.ball);
+    head = fit_ball(ball);
   } catch (const std::invalid_argument&) {
-    head.radius = joint.ball.vertices.front().norm();  // no ball: about the centre
+    head.radius = ball.vertices.front().norm();
   }
+  return head;
+}
+
+std::vector<Measure> measure_socket(const TriangleMesh& socket, const SphereFit& head, Side side) {
+  std::vector<Measure> measures;
+  add_measures(
+      socket_names(), kOfSocket,
+      [&](const MeasureChoices& choices) { return socket_values(socket, head, side, choices); }, measures);
+  return measures;
+}
+
+std::vector<Measure> measure_hip(const BallSocketPair& joint, Side side) {
+  const SphereFit head = head_or_centre(joint.ball);
   std::vector<Measure> measures;
   add_measures(
       femur_names(), of_femur(head),
       [&](const MeasureChoices& choices) { return femur_values(joint.ball, side, choices); }, measures);
-  add_measures(
-      socket_names(), kOfSocket,
-      [&](const MeasureChoices& choices) { return socket_values(joint.socket, head, side, choices); },
-      measures);
+  std::ranges::move(measure_socket(joint.socket, head, side), std::back_inserter(measures));
   return measures;
+}
+
+TrustedOpening trusted_opening(const BallSocketPair& joint, Side side) {
+  const SphereFit head = head_or_centre(joint.ball);
+  TrustedOpening found;
+  for (const Measure& measure : measure_socket(joint.socket, head, side)) {
+    if (measure.name != "inclination" && measure.name != "version") continue;
+    if (!measure.value) throw std::runtime_error(measure.name + " is " + measure.state);
+    found.state = measure.state;
+  }
+  found.angles = cup_angles(measure_acetabulum(joint.socket, head, side).opening, side);
+  return found;
 }
 
 }  // namespace impinge

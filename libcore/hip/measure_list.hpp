@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "hip/anatomy.hpp"
+#include "hip/cup_angles.hpp"
+#include "hip/sphere_fit.hpp"
 #include "mesh/ball_socket_pair.hpp"
 
 namespace impinge {
@@ -34,5 +36,17 @@ struct Measure {
 /// within its rim looks like one that ends there. What the meshes do not show, such as how the pelvis lay, is
 /// not in the uncertainty.
 std::vector<Measure> measure_hip(const BallSocketPair& joint, Side side);
+/// The six of the socket alone, beside a head.
+std::vector<Measure> measure_socket(const TriangleMesh& socket, const SphereFit& head, Side side);
+/// The sphere that fits the ball; where none does, one about the origin.
+SphereFit head_or_centre(const TriangleMesh& ball);
+
+/// The angles of a socket whose rim can be trusted.
+struct TrustedOpening {
+  CupAngles angles;
+  std::string state;  // "measured", or "measured to the end of the mesh"
+};
+/// std::runtime_error, one line, where measure_hip() refuses inclination or version; its words are the same.
+TrustedOpening trusted_opening(const BallSocketPair& joint, Side side);
 
 }  // namespace impinge

@@ -2,18 +2,21 @@
 #include "joint/measures.hpp"
 
 #include <stdexcept>
-#include <tuple>
 
 namespace impinge {
+
+BallSocketPair measured_meshes(const SessionJoint& joint) {
+  const auto& ball = joint.joint.ball;
+  const auto& socket = joint.joint.socket;
+  return {in_joint_frame(joint, whole_main(ball.mesh, ball.parts)),
+          in_joint_frame(joint, main_surface(socket.mesh, socket.parts))};
+}
 
 MeasureAnswer answer(Session& session, const MeasureRequest& /*request*/) {
   const SessionJoint& joint = *session.joint;
   if (!joint.side) throw std::invalid_argument("side: measures need to know it; give left or right");
-  const auto& [ball, socket] = std::tie(joint.joint.ball, joint.joint.socket);
   MeasureAnswer found;
-  for (const Measure& measure : measure_hip({in_joint_frame(joint, whole_main(ball.mesh, ball.parts)),
-                                             in_joint_frame(joint, main_surface(socket.mesh, socket.parts))},
-                                            *joint.side))
+  for (const Measure& measure : measure_hip(measured_meshes(joint), *joint.side))
     found.measures.push_back({measure, published_measure(measure.name)});
   return found;
 }

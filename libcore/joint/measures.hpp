@@ -56,6 +56,9 @@ struct MeasureAnswer {
   static constexpr std::tuple fields{Field{"measures", "", "each measure", &MeasureAnswer::measures}};
 };
 
+/// What is measured: the ball with what goes on from it, and the socket's main surface, in the joint frame.
+BallSocketPair measured_meshes(const SessionJoint& joint);
+
 /// The measures in the joint frame. With landmarks this is the frame of the pelvis, the femur in neutral
 /// position. std::invalid_argument without a side.
 MeasureAnswer answer(Session& session, const MeasureRequest& request);

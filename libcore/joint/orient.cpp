@@ -5,8 +5,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hip/hip_measures.hpp"
-#include "hip/sphere_fit.hpp"
+#include <Eigen/Geometry>
+
+#include "hip/measure_list.hpp"
+#include "joint/measures.hpp"
 #include "joint/volume.hpp"
 
 namespace impinge {
@@ -20,29 +22,62 @@ bool holds(const OrientationCell& cell, const CupAngles& angles) {
          std::abs(angles.anteversion_deg - cell.middle.anteversion_deg) <= cell.half_deg;
 }
 
+// The socket as it is: as given, else as measure_hip() has it, if that trusts the rim.
+CupAsScanned as_scanned(const SessionJoint& joint, const OrientRequest& request) {
+  CupAsScanned now;
+  if (request.inclination_deg) {
+    now.inclination_deg = *request.inclination_deg;
+    now.anteversion_deg = *request.anteversion_deg;
+    return now;
+  }
+  try {
+    const TrustedOpening found = trusted_opening(measured_meshes(joint), *joint.side);
+    now.inclination_deg = found.angles.inclination_deg;
+    now.anteversion_deg = found.angles.anteversion_deg;
+    now.angles = found.state;
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(std::string("the socket's ") + error.what() +
+                             "; give inclination and anteversion of the socket");
+  }
+  return now;
+}
+
+std::optional<NearestFree> nearest_free(const SessionJoint& joint, const OrientationQuestion& question,
+                                        const std::vector<OrientationCell>& cells) {
+  const auto free = nearest_orientation(cells, question.at_rest, {CellState::free});
+  if (!free) return std::nullopt;
+  NearestFree found{*free, std::nullopt, 0.0};
+  found.at_least_deg =
+      nearest_orientation(cells, question.at_rest, {CellState::free, CellState::open})->turn_deg;
+  if (free->turn_deg > 0.0)
+    found.axis =
+        joint.axes.transpose() * Eigen::AngleAxisd(cup_rotation(free->angles, question.side) *
+                                                   cup_rotation(question.at_rest, question.side).transpose())
+                                     .axis();
+  return found;
+}
+
 }  // namespace
 
 OrientAnswer answer(Session& session, const OrientRequest& request) {
   request.check();
   const SessionJoint& joint = *session.joint;
   if (!joint.side) throw std::invalid_argument("side: an orientation needs to know it; give left or right");
-  OrientationQuestion question{.legs = required_legs(request.require, joint.side),
-                               .side = *joint.side,
-                               .at_rest = {},
-                               .tilt_deg = request.tilt_deg,
-                               .resolution_deg = request.resolution_deg};
-  question.at_rest =
-      cup_angles(measure_acetabulum(in_joint_frame(joint, joint.main(Surface::socket)),
-                                    fit_ball(in_joint_frame(joint, joint.main(Surface::ball))), question.side)
-                     .opening,
-                 question.side);
+  const CupAsScanned now = as_scanned(joint, request);
+  const OrientationQuestion question{.legs = required_legs(request.require, joint.side),
+                                     .side = *joint.side,
+                                     .at_rest = {now.inclination_deg, now.anteversion_deg},
+                                     .tilt_deg = request.tilt_deg,
+                                     .resolution_deg = request.resolution_deg};
   OrientAnswer found{
-      .as_scanned = {question.at_rest.inclination_deg, question.at_rest.anteversion_deg},
+      .as_scanned = now,
+      .nearest_free = {},
       .map = {question.least.inclination_deg, question.least.anteversion_deg, question.width_deg},
       .area_deg2 = {},
       .legs = {},
       .cells = orientation_map(cell_test(joint, joint.mesh(Surface::socket)), question)};
   found.map.squares = found.cells.size();
+  found.nearest_free = nearest_free(joint, question, found.cells);
   for (const RequiredLeg& leg : question.legs) found.legs.push_back(describe(leg));
   for (const OrientationCell& cell : found.cells) {
     found.area_deg2.*kAreas[static_cast<std::size_t>(cell.state)] += 4.0 * cell.half_deg * cell.half_deg;

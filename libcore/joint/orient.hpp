@@ -3,6 +3,8 @@
 // (change/orientation.hpp).
 #pragma once
 
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -18,9 +20,17 @@ struct OrientRequest {
   std::vector<Motion> require;  // degrees
   double tilt_deg = 0.0;
   double resolution_deg = 0.1;
+  std::optional<double> inclination_deg{};
+  std::optional<double> anteversion_deg{};
 
-  /// std::invalid_argument for what cannot be required.
-  void check() const { check_required(require); }
+  /// std::invalid_argument for what cannot be required, and for one angle without the other.
+  void check() const {
+    check_required(require);
+    if (inclination_deg.has_value() != anteversion_deg.has_value())
+      throw std::invalid_argument(
+          std::string(inclination_deg ? "inclination" : "anteversion") +
+          "_deg: inclination and anteversion go together; give the other, too, or leave both out");
+  }
 
   static constexpr std::tuple fields{
       Field{"require", "deg", kRequireText, &OrientRequest::require},
@@ -33,19 +43,58 @@ struct OrientRequest {
             "deg",
             "of the map: undecided squares are not split below this",
             &OrientRequest::resolution_deg,
-            {0.01, 90.0}}};
+            {0.01, 90.0}},
+      Field{"inclination_deg",
+            "deg",
+            "of the socket as scanned, radiographic, where its rim does not show it [measured]",
+            &OrientRequest::inclination_deg,
+            {-90.0, 90.0}},
+      Field{"anteversion_deg",
+            "deg",
+            "of the same, radiographic [measured]",
+            &OrientRequest::anteversion_deg,
+            {-90.0, 90.0}}};
 };
 
 /// The socket as it is.
 struct CupAsScanned {
   double inclination_deg = 0.0;
   double anteversion_deg = 0.0;
+  std::string angles = "given";
   CellState state = CellState::open;
 
   static constexpr std::tuple fields{
       Field{"inclination_deg", "deg", "radiographic (Murray 1993)", &CupAsScanned::inclination_deg},
       Field{"anteversion_deg", "deg", "radiographic (Murray 1993)", &CupAsScanned::anteversion_deg},
+      Field{"angles", "", "measured, measured to the end of the mesh, or given", &CupAsScanned::angles},
       Field{"state", "", "of the square of the map that holds it", &CupAsScanned::state}};
+};
+
+/// The nearest orientation that is proven free, and the turn that leads there.
+struct NearestFree {
+  NearestOrientation to;
+  std::optional<Vec3> axis;  // none where nothing turns
+  double at_least_deg = 0.0;
+
+  static constexpr std::tuple fields{
+      Field{"inclination_deg", "deg", "radiographic",
+            via(&NearestFree::to, &NearestOrientation::angles, &CupAngles::inclination_deg)},
+      Field{"anteversion_deg", "deg", "radiographic",
+            via(&NearestFree::to, &NearestOrientation::angles, &CupAngles::anteversion_deg)},
+      Field{"inclination_change_deg", "deg", "from the socket as scanned",
+            via(&NearestFree::to, &NearestOrientation::change, &CupAngles::inclination_deg)},
+      Field{"anteversion_change_deg", "deg", "the same",
+            via(&NearestFree::to, &NearestOrientation::change, &CupAngles::anteversion_deg)},
+      Field{"turn_deg", "deg",
+            "angle of the one rotation about the centre that does both; the least there is",
+            via(&NearestFree::to, &NearestOrientation::turn_deg)},
+      Field{"turn_axis", "",
+            "unit vector, frame of the meshes: the turn is anticlockwise seen against it; none where nothing "
+            "turns",
+            &NearestFree::axis},
+      Field{"at_least_deg", "deg",
+            "no orientation of the map is free after a smaller turn: undecided ones may be",
+            &NearestFree::at_least_deg}};
 };
 
 /// A square of angles.
@@ -78,6 +127,7 @@ struct MapAreas {
 
 struct OrientAnswer {
   CupAsScanned as_scanned;
+  std::optional<NearestFree> nearest_free;  // none where no square of the map is
   MapExtent map;
   MapAreas area_deg2;
   std::vector<std::string> legs;
@@ -87,13 +137,16 @@ struct OrientAnswer {
       Field{"as_scanned", "",
             "the socket as it is, its angles in the pelvis; it turns about the centre of rotation",
             &OrientAnswer::as_scanned},
+      Field{"nearest_free", "",
+            "by the angle of the turn that leads there; none where no square of the map is free",
+            &OrientAnswer::nearest_free},
       Field{"map", "", "which angles were looked at", &OrientAnswer::map},
       Field{"area_deg2", "deg^2", "of the map in each state", &OrientAnswer::area_deg2},
       Field{"legs", "", "parts of the required paths, in words", &OrientAnswer::legs}};
 };
 
-/// std::runtime_error, one line, if the socket has no rim to measure its orientation by;
-/// std::invalid_argument without a side, and as check().
+/// std::runtime_error, one line, if no angles are given and the socket has no rim to trust them to
+/// (hip/measure_list.hpp); std::invalid_argument without a side, and as check().
 OrientAnswer answer(Session& session, const OrientRequest& request);
 
 }  // namespace impinge

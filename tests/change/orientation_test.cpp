@@ -3,6 +3,7 @@
 // are really turned.
 #include "change/orientation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
@@ -141,6 +142,48 @@ TEST(TheoremOrientation, AgreesWithSocketsThatAreTurned) {
   }
   EXPECT_GT(tried[CellState::free], 3U);
   EXPECT_GT(tried[CellState::blocked], 3U);
+}
+
+// A dense grid over all orientations of a made-up map, each asked of the rotation matrices.
+TEST(NearestOrientation, IsThatOfAGridOfRotations) {
+  std::mt19937_64 engine(5);
+  std::uniform_real_distribution<double> inclination(-10.0, 100.0);
+  std::uniform_real_distribution<double> anteversion(-40.0, 70.0);
+  constexpr double kGrid = 0.5;  // degrees
+  for (int k = 0; k < 60; ++k) {
+    const Side side = k % 2 == 0 ? Side::left : Side::right;
+    const CupAngles from{inclination(engine), anteversion(engine)};
+    std::vector<OrientationCell> cells;
+    for (double a = 4.5; a < 90.0; a += 9.0)
+      for (double b = -25.5; b < 60.0; b += 9.0)
+        cells.push_back({{a, b}, 4.5, engine() % 12 == 0 ? CellState::free : CellState::blocked, {}});
+    double least = 360.0;
+    for (const OrientationCell& cell : cells) {
+      if (cell.state != CellState::free) continue;
+      for (double a = -4.5; a <= 4.5; a += kGrid)
+        for (double b = -4.5; b <= 4.5; b += kGrid) {
+          const Eigen::Matrix3d turn =
+              cup_rotation({cell.middle.inclination_deg + a, cell.middle.anteversion_deg + b}, side) *
+              cup_rotation(from, side).transpose();
+          least = std::min(least, Eigen::AngleAxisd(turn).angle() / kDegree);
+        }
+    }
+    const auto found = nearest_orientation(cells, from, {CellState::free});
+    ASSERT_EQ(found.has_value(), least < 360.0);
+    if (!found) continue;
+    const Eigen::Matrix3d turn = cup_rotation(found->angles, side) * cup_rotation(from, side).transpose();
+    EXPECT_NEAR(Eigen::AngleAxisd(turn).angle() / kDegree, found->turn_deg, 1e-6);
+    EXPECT_LE(found->turn_deg, least + 1e-6);
+    EXPECT_GE(found->turn_deg, least - kGrid) << "a place beside the grid is no farther from it";
+    EXPECT_NEAR(from.inclination_deg + found->change.inclination_deg, found->angles.inclination_deg, 1e-12);
+    const bool in_a_free_one = std::any_of(cells.begin(), cells.end(), [&](const OrientationCell& cell) {
+      return cell.state == CellState::free &&
+             std::abs(cell.middle.inclination_deg - found->angles.inclination_deg) <= 4.5 &&
+             std::abs(cell.middle.anteversion_deg - found->angles.anteversion_deg) <= 4.5;
+    });
+    EXPECT_TRUE(in_a_free_one);
+  }
+  EXPECT_FALSE(nearest_orientation({}, {45.0, 15.0}, {CellState::free}));
 }
 
 TEST(CupAngles, AreThoseOfMurray) {

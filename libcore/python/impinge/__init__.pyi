@@ -282,7 +282,17 @@ class ResectAnswer(TypedDict):
 class AsScanned(TypedDict):
     inclination_deg: float  # radiographic (Murray 1993) (deg)
     anteversion_deg: float  # radiographic (Murray 1993) (deg)
+    angles: str  # measured, measured to the end of the mesh, or given
     state: Literal["free", "blocked", "unknown", "open"]  # of the square of the map that holds it
+
+class NearestFree(TypedDict):
+    inclination_deg: float  # radiographic (deg)
+    anteversion_deg: float  # radiographic (deg)
+    inclination_change_deg: float  # from the socket as scanned (deg)
+    anteversion_change_deg: float  # the same (deg)
+    turn_deg: float  # angle of the one rotation about the centre that does both; the least there is (deg)
+    turn_axis: list[float] | None  # unit vector, frame of the meshes: the turn is anticlockwise seen against it; none where nothing turns
+    at_least_deg: float  # no orientation of the map is free after a smaller turn: undecided ones may be (deg)
 
 class Map(TypedDict):
     least_inclination_deg: float  # where it begins (deg)
@@ -298,6 +308,7 @@ class AreaDeg2(TypedDict):
 
 class OrientAnswer(TypedDict):
     as_scanned: AsScanned  # the socket as it is, its angles in the pelvis; it turns about the centre of rotation
+    nearest_free: NearestFree | None  # by the angle of the turn that leads there; none where no square of the map is free
     map: Map  # which angles were looked at
     area_deg2: AreaDeg2  # of the map in each state (deg^2)
     legs: list[str]  # parts of the required paths, in words
@@ -450,7 +461,8 @@ class Joint:
         """The bone that would have to go so that motions are reached: of the ball, or of the socket's rim. As
         `impinge resect`; each argument and key: help()."""
     def orient(
-        self, require: Motions | Sequence[str] = ..., tilt_deg: float = ..., resolution_deg: float = ...
+        self, require: Motions | Sequence[str] = ..., tilt_deg: float = ..., resolution_deg: float = ...,
+        inclination_deg: float | None = ..., anteversion_deg: float | None = ...
     ) -> Orientation:
         """In which orientations of the socket motions are free, over inclination and anteversion. As `impinge
         orient`; each argument and key: help()."""
