@@ -5,6 +5,7 @@ who is drawn as one line.
 
 from pathlib import Path
 
+import numpy as np
 import pandas as pd
 
 import common
@@ -44,3 +45,12 @@ def families(results: Path) -> pd.DataFrame:
 def magnitudes(cases: pd.DataFrame) -> list[float]:
     """In the order of the run, from harmless to extreme."""
     return list(dict.fromkeys(cases.magnitude))
+
+
+def bounds(cases: pd.DataFrame) -> pd.Series:
+    """What the proven bound of each case comes to: held, broken, infinite, or held against no look-up at all.
+    Empty where none is claimed."""
+    said = cases.bound_holds.map({True: "held", "yes": "held", False: "broken", "no": "broken"})
+    said[cases.bound_um.notna() & cases.error_um.isna()] = "unanswered"
+    said[np.isinf(cases.bound_um)] = "infinite"
+    return said

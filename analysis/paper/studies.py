@@ -94,7 +94,7 @@ def stiff(results: Path) -> dict[str, str]:
         "stability:families": str(len(families)),
         "stability:cases": f"{len(ours):,}",
         "stability:failures": str(int(ours.failures.sum())),
-        "stability:broken": str(int(ours.bound_holds.isin([False, "no"]).sum())),
+        "stability:broken": str(int((stability.bounds(ours) == "broken").sum())),
         "stability:refused": str(int((ours.refused > 0).sum())),
         "stability:share": common.digits(100 * share.max(), 2),
     }

@@ -21,6 +21,7 @@ def line(cases: pd.DataFrame, name: str, family: pd.Series) -> dict:
     """Worst and counts of one family."""
     ours = cases[cases.kind == "ours"]
     others = cases[cases.kind != "ours"]
+    bounds = stability.bounds(ours)
     in_double = ours[ours.scalar == "double"]
     return {
         "family": name,
@@ -33,7 +34,8 @@ def line(cases: pd.DataFrame, name: str, family: pd.Series) -> dict:
         "worst_of_ours_in_float": ours[ours.scalar == "float"].error_over_condition_u.max(),
         "threshold": family.threshold,
         "failures_of_ours": int(ours.failures.sum()),
-        "bounds_broken": int(ours.bound_holds.isin([False, "no"]).sum()),
+        **{f"bounds_{what}": int((bounds == what).sum()) for what in ("held", "broken", "infinite", "unanswered")},
+        "withheld": int(ours.withheld.sum()),
         "refused": int(ours.refused.sum()),
         "worst_of_others": others.error_over_condition_u.max(),
         "failures_of_others": int(others.failures.sum()),
@@ -62,16 +64,18 @@ def latex(lines: pd.DataFrame) -> str:
             power(row.threshold),
             str(row.failures_of_ours),
             str(row.refused),
+            f"{row.withheld:,}",
+            f"{row.bounds_held}, {row.bounds_infinite}, {row.bounds_unanswered}",
             power(row.worst_of_others),
             f"{row.failures_of_others:,}",
         ]
         rows.append(cells)
     return common.tabular(
-        "@{}lrrrrrrrr@{}",
+        "@{}lrrrrrrrrrr@{}",
         [
-            " & & & \\multicolumn{4}{c}{Ours} & \\multicolumn{2}{c}{Others} \\\\",
-            "\\cmidrule(lr){4-7}\\cmidrule(l){8-9}",
-            "Family & Steps & Condition & Worst & Allowed & Fail & Refused & Worst & Fail \\\\",
+            " & & & \\multicolumn{6}{c}{Ours} & \\multicolumn{2}{c}{Others} \\\\",
+            "\\cmidrule(lr){4-9}\\cmidrule(l){10-11}",
+            "Family & Steps & Condition & Worst & Allowed & Fail & Refused & Withheld & Bounds & Worst & Fail \\\\",
         ],
         rows,
     )

@@ -14,7 +14,9 @@ void keep_larger(double& largest, double value) {
 }
 
 // How near the error is to its bound.
+// An infinite bound, and one with no look-up to hold it against, are worse than any that holds.
 double share_of_bound(const StabilityCase& c) {
+  if (!std::isnan(c.bound_um) && !c.bound_holds()) return 1.0;
   return c.bound_um > 0.0 ? c.error_um / c.bound_um : c.error_um > 0.0 ? 1e300 : 0.0;
 }
 
@@ -79,8 +81,8 @@ std::string_view name_of(Scalar scalar) { return scalar == Scalar::float32 ? "fl
 double unit_roundoff(Scalar scalar) { return scalar == Scalar::float32 ? 0x1p-24 : 0x1p-53; }
 
 std::optional<bool> StabilityCase::bound_holds() const {
-  if (!(bound_um >= 0.0)) return std::nullopt;
-  return !(error_um > bound_um);  // no look-up answered: nothing is violated
+  if (!(bound_um >= 0.0) || std::isinf(bound_um) || std::isnan(error_um)) return std::nullopt;
+  return error_um <= bound_um;
 }
 
 std::vector<StabilityCase> worse_of(std::vector<StabilityCase> a, const std::vector<StabilityCase>& b) {
@@ -121,7 +123,9 @@ StabilityTables make_stability_tables() {
        {"failures", "1",
         "answers that are no numbers, false hits, missed hits and wrong values; empty if refused"},
        {"bound_holds", "",
-        "is no look-up between entries farther off than proven? Empty: nothing is proven"}});
+        "is no look-up between entries farther off than proven? Empty: no bound, an infinite one, or no "
+        "look-up "
+        "that answers"}});
   tables.detail.columns =
       with_key({{"kind", "", "ours, library or brute"},
                 {"threshold", "1", "error_over_condition_u above it is wrong"},
@@ -136,7 +140,7 @@ StabilityTables make_stability_tables() {
                 {"withheld", "1", "look-ups that a table leaves unanswered since a rim crosses their cell"},
                 {"refused", "", "was the case refused, as documented?"},
                 {"refusal", "", "the line of the refusal"},
-                {"error_um", "um", "largest error of a look-up between entries"},
+                {"error_um", "um", "largest error of a look-up between entries; empty if none answers"},
                 {"bound_um", "um", "proven bound on it"}});
   tables.families.columns = {
       {"family", "", "file in experiments/stress/families"},

@@ -62,7 +62,7 @@ struct StabilityCase {
 
   // Answers that are wrong in any way.
   std::size_t failures() const { return nan + false_hits + missed_hits + wrong; }
-  // None where nothing is proven; an infinite bound holds and says nothing.
+  // None where nothing is proven: without a bound, with an infinite one, and where no look-up answers.
   std::optional<bool> bound_holds() const;
 };
 

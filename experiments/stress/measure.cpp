@@ -66,7 +66,6 @@ void judge_look_ups(StabilityCase& result, const Shared& shared, const StoredRad
                     std::span<const double> answers) {
   const auto& [directions, truth, condition] = shared.along;
   result.questions += answers.size();
-  result.error_um = 0.0;
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const bool there = !std::isnan(truth[i]);
     if (std::isnan(answers[i])) {

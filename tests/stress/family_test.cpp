@@ -122,6 +122,15 @@ TEST(StabilityCases, TheWorseOfTwoScenes) {
   EXPECT_EQ(sum.wrong, 5U);
   EXPECT_EQ(sum.error_over_condition_u, 4.0);
   EXPECT_FALSE(sum.bound_holds().value()) << "one of the two does not";
+  StabilityCase held = clean_case(1.0);
+  held.error_um = 1.0;
+  held.bound_um = 2.0;
+  StabilityCase silent = clean_case(1.0);
+  silent.bound_um = 2.0;
+  for (const auto& [first, second] : {std::pair{held, silent}, std::pair{silent, held}})
+    EXPECT_FALSE(worse_of({first}, {second}).front().bound_holds().has_value());
+  EXPECT_FALSE(worse_of({silent}, {a}).front().bound_holds().has_value());
+  EXPECT_FALSE(worse_of({silent}, {sum}).front().bound_holds().value_or(false));
   b.scalar = Scalar::float32;
   EXPECT_THROW(worse_of({a}, {b}), std::logic_error);
 }
@@ -257,7 +266,8 @@ StabilityCase look_ups(double answer, double reach, double bound_mm) {
 TEST(Measure, ABoundHoldsOrItDoesNot) {
   EXPECT_TRUE(look_ups(20.125, 0.1, 0.125).bound_holds().value());
   EXPECT_FALSE(look_ups(20.125, 0.1, 0.1249).bound_holds().value());
-  EXPECT_TRUE(look_ups(20.125, 0.1, kInfinity).bound_holds().value());
+  EXPECT_FALSE(look_ups(20.125, 0.1, kInfinity).bound_holds().has_value());
+  EXPECT_FALSE(look_ups(kNoSurface, 0.6 * 60.0 * kDegree, 1.0).bound_holds().has_value()) << "none answers";
   EXPECT_EQ(look_ups(20.125, 0.1, 0.125).failures(), 0U) << "an error of interpolation is none of rounding";
 }
 
