@@ -81,12 +81,13 @@ def replay(results: Path) -> dict[str, str]:
 
 
 def stiff(results: Path) -> dict[str, str]:
-    """stability:families, :cases, :failures (of ours), :broken (bounds) and :refused; stability:share, the largest error of ours
-    over what its analysis allows, in per cent.
+    """stability:families, :cases, :failures (of ours) and :refused; of bounds :held, :broken, :infinite and :unanswered; :withheld
+    look-ups; stability:share, the largest error of ours over what its analysis allows, in per cent.
     """
     cases = stability.load(results)
     families = stability.families(results)
     ours = cases[cases.kind == "ours"]
+    bounds = stability.bounds(ours)
     in_double = ours[ours.scalar == "double"]
     allowed = in_double.family.map(families.threshold)
     share = (in_double.error_over_condition_u / allowed)[allowed > 0]
@@ -94,7 +95,8 @@ def stiff(results: Path) -> dict[str, str]:
         "stability:families": str(len(families)),
         "stability:cases": f"{len(ours):,}",
         "stability:failures": str(int(ours.failures.sum())),
-        "stability:broken": str(int((stability.bounds(ours) == "broken").sum())),
+        **{f"stability:{what}": f"{(bounds == what).sum():,}" for what in ("held", "broken", "infinite", "unanswered")},
+        "stability:withheld": f"{int(ours.withheld.sum()):,}",
         "stability:refused": str(int((ours.refused > 0).sum())),
         "stability:share": common.digits(100 * share.max(), 2),
     }

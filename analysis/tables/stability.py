@@ -75,7 +75,7 @@ def latex(lines: pd.DataFrame) -> str:
         [
             " & & & \\multicolumn{6}{c}{Ours} & \\multicolumn{2}{c}{Others} \\\\",
             "\\cmidrule(lr){4-9}\\cmidrule(l){10-11}",
-            "Family & Steps & Condition & Worst & Allowed & Fail & Refused & Withheld & Bounds & Worst & Fail \\\\",
+            "Family & Steps & Condition & Worst & Allowed & Fail & Refused & Withheld & Bounds held, infinite, unanswered & Worst & Fail \\\\",
         ],
         rows,
     )

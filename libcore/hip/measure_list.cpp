@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -186,7 +185,7 @@ std::vector<Measure> measure_hip(const BallSocketPair& joint, Side side) {
   add_measures(
       femur_names(), of_femur(head),
       [&](const MeasureChoices& choices) { return femur_values(joint.ball, side, choices); }, measures);
-  std::ranges::move(measure_socket(joint.socket, head, side), std::back_inserter(measures));
+  for (Measure& measure : measure_socket(joint.socket, head, side)) measures.push_back(std::move(measure));
   return measures;
 }
 
