@@ -80,12 +80,22 @@ void refuse_empty_values(CLI::App& program) {
     for (CLI::Option* option : command->get_options()) option->transform(given);  // before all other checks
 }
 
+// CLI11 lists at each option all that it excludes, which is longer than the option; their texts say it.
+class Help : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string all = CLI::Formatter::make_option_opts(option);
+    return all.substr(0, all.find(" Excludes:"));
+  }
+};
+
 }  // namespace
 
 std::function<void()> parse_program(int argc, const char* const* argv, const Screen& screen,
                                     std::span<const AddCommand> more) {
   const auto kept = std::make_shared<CLI::App>(kAbout, "impinge");
   CLI::App& program = *kept;
+  program.formatter(std::make_shared<Help>());
   program.footer(kFooter);
   program.require_subcommand(0, 1);
   program.set_version_flag("--version", std::string("impinge ") + kVersion + " (commit " + commit() + ")");

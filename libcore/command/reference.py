@@ -40,7 +40,7 @@ def options(help_text):
             continue
         elif not line.startswith("   "):  # a new one; its text stands from column 30 on, or on the next line
             name, text = (line[2:30], line[30:]) if re.match(r"(?!.*\w:).{29} \S", line) or "  " in line[2:] else (line[2:], "")
-            rows.append([re.sub(r" (Needs|Excludes|REQUIRED)\b.*| \.\.\.", "", name).strip(), text.strip()])
+            rows.append([re.sub(r" (Needs|REQUIRED)\b.*| \.\.\.", "", name).strip(), text.strip()])
         else:
             rows[-1][1] = f"{rows[-1][1]} {line.strip()}".strip()
     for rows in groups.values():
