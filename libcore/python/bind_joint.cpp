@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The class Joint, and the surfaces of one.
+#include <algorithm>
+
 #include <pybind11/stl.h>
 
 #include "joint/joint_document.hpp"
@@ -93,9 +95,13 @@ void bind_facts(JointClass& joint) {
       .def(
           "ask",
           [](const py::object& self, const std::string& question, const py::kwargs& request) {
-            for (const std::string& name : {"_" + question, question})
-              if (py::hasattr(self, name.c_str())) return py::object(self.attr(name.c_str())(**request));
-            throw std::invalid_argument("there is no question '" + question + "'; impinge --help lists them");
+            const std::vector<std::string>& names = questions();
+            if (std::ranges::find(names, question) == names.end())
+              throw std::invalid_argument("there is no question '" + question + "'; there are " +
+                                          py::str(", ").attr("join")(names).cast<std::string>());
+            const std::string method =
+                py::hasattr(self, ("_" + question).c_str()) ? "_" + question : question;
+            return py::object(self.attr(method.c_str())(**request));
           },
           py::arg("question"),
           "The answer of `impinge QUESTION --json` as a dict: a question by its name, its request as "

@@ -101,6 +101,12 @@ SharedJoint with_warnings(SharedJoint joint) {
   return joint;
 }
 
+py::dict keywords_of(const Placed& placed) {
+  return py::dict(py::arg("side") = placed.side, py::arg("axes") = placed.axes,
+                  py::arg("centre") = placed.centre, py::arg("landmarks") = placed.landmarks,
+                  py::arg("keep") = placed.keep, py::arg("overlap_mm") = placed.overlap_mm);
+}
+
 SharedJoint read_joint(const std::filesystem::path& ball, const std::filesystem::path& socket,
                        const std::optional<std::string>& side, const std::optional<std::string>& axes,
                        const OptionalPoint& centre, const std::optional<Marked>& landmarks,
@@ -113,7 +119,10 @@ SharedJoint read_joint(const std::filesystem::path& ball, const std::filesystem:
     input.socket = {socket.string(), read_mesh(socket)};
     code = agreed_axes(ball, socket, axes, "axes=").code;
   }
-  return with_warnings(joint_of(std::move(input), {side, code, centre, landmarks, keep, overlap_mm}));
+  const Placed placed{side, code, centre, landmarks, keep, overlap_mm};
+  SharedJoint joint = with_warnings(joint_of(std::move(input), placed));
+  joint->made_by = py::make_tuple("read", py::make_tuple(ball, socket), keywords_of(placed));
+  return joint;
 }
 
 using MeshArrays = std::pair<Doubles, Indices>;
@@ -136,7 +145,14 @@ SharedJoint joint_of_arrays(const MeshArrays& ball, const MeshArrays& socket,
   JointInput input;
   input.ball = mesh_of_arrays("ball", ball);
   input.socket = mesh_of_arrays("socket", socket);
-  return with_warnings(joint_of(std::move(input), {side, axes, centre, landmarks, keep, overlap_mm}));
+  const Placed placed{side, axes, centre, landmarks, keep, overlap_mm};
+  SharedJoint joint = with_warnings(joint_of(std::move(input), placed));
+  const auto copied = [](const MeshArrays& of) {  // the caller may change them
+    return py::make_tuple(of.first.attr("copy")(), of.second.attr("copy")());
+  };
+  joint->made_by =
+      py::make_tuple("from_arrays", py::make_tuple(copied(ball), copied(socket)), keywords_of(placed));
+  return joint;
 }
 
 // As the programs type it.
@@ -158,8 +174,19 @@ SharedJoint joint_of_hip(const std::string& preset, std::size_t faces, const py:
   JointInput input;
   input.ball = {"ball", std::move(hip.ball), std::move(hip.ball_parts)};
   input.socket = {"socket", std::move(hip.socket), std::move(hip.socket_parts)};
-  return joint_of(std::move(input),
-                  {parameters.side == Side::left ? "left" : "right", "RAS", std::array{0.0, 0.0, 0.0}, {}});
+  SharedJoint joint =
+      joint_of(std::move(input),
+               {parameters.side == Side::left ? "left" : "right", "RAS", std::array{0.0, 0.0, 0.0}, {}});
+  py::dict keywords(**changes);
+  keywords["faces"] = faces;
+  joint->made_by = py::make_tuple("from_hip", py::make_tuple(preset), keywords);
+  return joint;
+}
+
+// By the function that made it: files are read again.
+SharedJoint joint_of_state(const py::tuple& made) {
+  const py::object make = py::type::of<PoseJoint>().attr(made[0].cast<py::str>());
+  return make(*made[1].cast<py::tuple>(), **made[2].cast<py::dict>()).cast<SharedJoint>();
 }
 
 }  // namespace
@@ -180,7 +207,8 @@ void bind_making(JointClass& joint) {
                   py::arg("landmarks") = none, py::arg("keep") = "all", py::arg("overlap_mm") = 0.0,
                   "The same of two pairs of vertices (n, 3) in mm and faces (m, 3).")
       .def_static("from_hip", &joint_of_hip, py::arg("preset") = "normal", py::kw_only(),
-                  py::arg("faces") = kHipFaces, "A hip made from parameters, each a keyword.");
+                  py::arg("faces") = kHipFaces, "A hip made from parameters, each a keyword.")
+      .def(py::pickle([](const PoseJoint& self) { return self.made_by; }, &joint_of_state));
 }
 
 }  // namespace impinge::python

@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 
+#include <pybind11/pybind11.h>
+
 #include "gap/simd/exact_cells.hpp"
 #include "gap/simd/joint_scan.hpp"
 #include "joint/poses.hpp"
@@ -29,6 +31,10 @@ class PoseJoint {
   const SessionJoint& joint() const { return *session_.joint; }
   SessionJoint& joint() { return *session_.joint; }
   const std::string& axes() const { return axes_; }
+
+  /// Which function of the class made it, with which arguments: (name, arguments, keywords). What pickling
+  /// keeps.
+  pybind11::tuple made_by;
 
   /// The exact cells of the faces; and tables of `cube_gnomonic` in 16 bits at a precision in degrees.
   const PackedJoint<ExactCells>& cells();

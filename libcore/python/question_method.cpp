@@ -5,6 +5,11 @@
 
 namespace impinge::python {
 
+std::vector<std::string>& questions() {
+  static std::vector<std::string> names;
+  return names;
+}
+
 Json json_of_arguments(const py::args& args, const py::kwargs& named,
                        std::span<const std::string_view> fields) {
   if (args.size() > fields.size())

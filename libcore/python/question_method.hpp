@@ -18,10 +18,16 @@ Json json_of_arguments(const py::args& args, const py::kwargs& named,
 /// Dicts, lists, numbers and texts of JSON.
 py::object object_of(const Json& document);
 
-/// `text`, then a line for each field of the request and of the answer.
+/// The names of the questions that were bound.
+std::vector<std::string>& questions();
+
+/// The signature, as inspect reads it from a docstring, `text`, then a line for each field of the request and
+/// of the answer.
 template <Described Request, Described Answer>
-std::string docstring_of(std::string_view text) {
-  std::string lines(text);
+std::string docstring_of(std::string_view name, std::string_view text) {
+  std::string lines = std::string(name) + "(self";
+  for_each_field<Request>([&](const auto& field) { lines += ", " + std::string(field.name) + "=..."; });
+  lines += ")\n--\n\n" + std::string(text);
   const auto add = [&lines](const auto& field) {
     lines += "\n  " + std::string(field.name) +
              (field.unit.empty() || field.unit == "1" ? "" : " (" + std::string(field.unit) + ")") + ": " +
@@ -48,6 +54,9 @@ template <Described Request, Described Answer>
 void bind_question(JointClass& joint, const char* name, std::string_view text,
                    void (*more)(PoseJoint&, const Answer&, py::dict&) = nullptr,
                    Answer (*ask)(PoseJoint&, const Request&) = &ask_once<Request>) {
+  questions().emplace_back(name[0] == '_' ? name + 1 : name);
+  py::options plain;
+  plain.disable_function_signatures();
   joint.def(
       name,
       [more, ask](PoseJoint& self, const py::args& args, const py::kwargs& named) {
@@ -61,7 +70,7 @@ void bind_question(JointClass& joint, const char* name, std::string_view text,
         if (more != nullptr) more(self, *found, answer);
         return answer;
       },
-      docstring_of<Request, Answer>(text).c_str());
+      docstring_of<Request, Answer>(name, text).c_str());
 }
 
 }  // namespace impinge::python

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is refused, in which words; the stubs and the page of the program; the example."""
 import ast
+import inspect
 import os
+import re
 import subprocess
 import sys
 
@@ -107,6 +109,19 @@ def test_stubs_and_page_have_what_module_and_program_have():
     for script in ("python/stubs.py", "command/reference.py"):
         done = subprocess.run([sys.executable, ROOT / "libcore" / script, os.environ["IMPINGE"]], capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
+
+
+def test_the_interpreter_says_version_and_arguments():
+    assert re.search(rf"VERSION {re.escape(impinge.__version__)}\b", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))
+    assert list(inspect.signature(impinge.Joint.limits).parameters)[:3] == ["self", "motions", "pose"]
+    assert list(inspect.signature(impinge.Joint.from_hip("normal", faces=500).orient).parameters)[0] != "self"
+
+
+def test_only_questions_are_asked_by_name():
+    joint = impinge.Joint.from_hip("normal", faces=500)
+    for word in ("landmarks", "__class__", "nonsense"):
+        with pytest.raises(ValueError, match=f"no question '{word}'; there are touch, .*limits"):
+            joint.ask(word)
 
 
 def test_help_says_what_each_member_is():

@@ -6,6 +6,7 @@ from impinge._impinge import (
     Joint,
     Scheme,
     Surface,
+    __version__ as __version__,
     hip_parameter_ranges,
     hip_parameters,
     hip_presets,

@@ -505,6 +505,8 @@ class Scheme:
         """Of directions of shape (n, 3) and any length: entries (n, 4), their weights (n, 4), which sum to 1, and cells
         (n,). An entry that is not read is -1, with weight 0."""
 
+__version__: str
+
 def schemes() -> list[str]:
     """Names of all sampling schemes."""
 
