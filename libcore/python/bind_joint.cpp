@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The class Joint, and the surfaces of one.
-#include <algorithm>
-
 #include <pybind11/stl.h>
 
 #include "joint/joint_document.hpp"
@@ -95,13 +93,10 @@ void bind_facts(JointClass& joint) {
       .def(
           "ask",
           [](const py::object& self, const std::string& question, const py::kwargs& request) {
-            const std::vector<std::string>& names = questions();
-            if (std::ranges::find(names, question) == names.end())
-              throw std::invalid_argument("there is no question '" + question + "'; there are " +
-                                          py::str(", ").attr("join")(names).cast<std::string>());
-            const std::string method =
-                py::hasattr(self, ("_" + question).c_str()) ? "_" + question : question;
-            return py::object(self.attr(method.c_str())(**request));
+            const py::dict questions = self.attr("_questions");
+            if (questions.contains(question)) return self.attr(questions[question.c_str()])(**request);
+            throw std::invalid_argument("there is no question '" + question + "'; there are " +
+                                        py::str(", ").attr("join")(questions).cast<std::string>());
           },
           py::arg("question"),
           "The answer of `impinge QUESTION --json` as a dict: a question by its name, its request as "

@@ -101,10 +101,37 @@ SharedJoint with_warnings(SharedJoint joint) {
   return joint;
 }
 
-py::dict keywords_of(const Placed& placed) {
-  return py::dict(py::arg("side") = placed.side, py::arg("axes") = placed.axes,
-                  py::arg("centre") = placed.centre, py::arg("landmarks") = placed.landmarks,
-                  py::arg("keep") = placed.keep, py::arg("overlap_mm") = placed.overlap_mm);
+py::tuple arrays_of(const TriangleMesh& mesh) {
+  const auto rows = [](const auto& list) { return static_cast<py::ssize_t>(list.size()); };
+  return py::make_tuple(
+      py::array_t<double>({rows(mesh.vertices), py::ssize_t{3}}, mesh.vertices.front().data()),
+      py::array_t<std::uint32_t>({rows(mesh.faces), py::ssize_t{3}}, mesh.faces.front().data()));
+}
+
+// Of a file too: a joint that is made again may be elsewhere.
+std::optional<Marked> as_dict(const std::optional<Marked>& given, const std::string& axes) {
+  if (!given || std::holds_alternative<py::dict>(*given)) return given;
+  const Landmarks read = read_landmarks(std::get<std::filesystem::path>(*given), input_to_joint(axes));
+  py::dict points;
+  const auto add = [&points](const char* label, const std::optional<Vec3>& place) {
+    if (place) points[label] = point_tuple(*place);
+  };
+  add("asis_right", read.asis_right);
+  add("asis_left", read.asis_left);
+  add("pubic_tubercle_right", read.pubic_tubercle_right);
+  add("pubic_tubercle_left", read.pubic_tubercle_left);
+  add("epicondyle_medial", read.epicondyle_medial);
+  add("epicondyle_lateral", read.epicondyle_lateral);
+  return points;
+}
+
+// The joint, which remembers what it was made of.
+SharedJoint joint_of_meshes(const JointInput& input, const Placed& placed) {
+  SharedJoint joint = joint_of(input, placed);
+  joint->made_of = py::make_tuple(input.ball.name, arrays_of(input.ball.mesh), input.socket.name,
+                                  arrays_of(input.socket.mesh), placed.side, placed.axes, placed.centre,
+                                  as_dict(placed.landmarks, placed.axes), placed.keep, placed.overlap_mm);
+  return joint;
 }
 
 SharedJoint read_joint(const std::filesystem::path& ball, const std::filesystem::path& socket,
@@ -119,10 +146,7 @@ SharedJoint read_joint(const std::filesystem::path& ball, const std::filesystem:
     input.socket = {socket.string(), read_mesh(socket)};
     code = agreed_axes(ball, socket, axes, "axes=").code;
   }
-  const Placed placed{side, code, centre, landmarks, keep, overlap_mm};
-  SharedJoint joint = with_warnings(joint_of(std::move(input), placed));
-  joint->made_by = py::make_tuple("read", py::make_tuple(ball, socket), keywords_of(placed));
-  return joint;
+  return with_warnings(joint_of_meshes(input, {side, code, centre, landmarks, keep, overlap_mm}));
 }
 
 using MeshArrays = std::pair<Doubles, Indices>;
@@ -145,14 +169,7 @@ SharedJoint joint_of_arrays(const MeshArrays& ball, const MeshArrays& socket,
   JointInput input;
   input.ball = mesh_of_arrays("ball", ball);
   input.socket = mesh_of_arrays("socket", socket);
-  const Placed placed{side, axes, centre, landmarks, keep, overlap_mm};
-  SharedJoint joint = with_warnings(joint_of(std::move(input), placed));
-  const auto copied = [](const MeshArrays& of) {  // the caller may change them
-    return py::make_tuple(of.first.attr("copy")(), of.second.attr("copy")());
-  };
-  joint->made_by =
-      py::make_tuple("from_arrays", py::make_tuple(copied(ball), copied(socket)), keywords_of(placed));
-  return joint;
+  return with_warnings(joint_of_meshes(input, {side, axes, centre, landmarks, keep, overlap_mm}));
 }
 
 // As the programs type it.
@@ -177,16 +194,29 @@ SharedJoint joint_of_hip(const std::string& preset, std::size_t faces, const py:
   SharedJoint joint =
       joint_of(std::move(input),
                {parameters.side == Side::left ? "left" : "right", "RAS", std::array{0.0, 0.0, 0.0}, {}});
-  py::dict keywords(**changes);
-  keywords["faces"] = faces;
-  joint->made_by = py::make_tuple("from_hip", py::make_tuple(preset), keywords);
+  joint->made_of = py::make_tuple(preset, faces, changes);
   return joint;
 }
 
-// By the function that made it: files are read again.
-SharedJoint joint_of_state(const py::tuple& made) {
-  const py::object make = py::type::of<PoseJoint>().attr(made[0].cast<py::str>());
-  return make(*made[1].cast<py::tuple>(), **made[2].cast<py::dict>()).cast<SharedJoint>();
+TriangleMesh mesh_of_state(const py::handle& state) {
+  const auto [vertices, faces] = state.cast<MeshArrays>();
+  const auto points = python::points_of(vertices);
+  TriangleMesh mesh{{points.begin(), points.end()},
+                    std::vector<Face>(static_cast<std::size_t>(faces.shape(0)))};
+  std::copy_n(faces.data(), faces.size(), mesh.faces.front().data());
+  return mesh;
+}
+
+// What it was told of when it was first made is not told again.
+SharedJoint made_again(const py::tuple& state) {
+  if (state.size() == 3)
+    return joint_of_hip(state[0].cast<std::string>(), state[1].cast<std::size_t>(), py::kwargs(state[2]));
+  JointInput input;
+  input.ball = {state[0].cast<std::string>(), mesh_of_state(state[1])};
+  input.socket = {state[2].cast<std::string>(), mesh_of_state(state[3])};
+  return joint_of_meshes(input, {state[4].cast<std::optional<std::string>>(), state[5].cast<std::string>(),
+                                 state[6].cast<OptionalPoint>(), state[7].cast<std::optional<Marked>>(),
+                                 state[8].cast<std::string>(), state[9].cast<double>()});
 }
 
 }  // namespace
@@ -208,7 +238,7 @@ void bind_making(JointClass& joint) {
                   "The same of two pairs of vertices (n, 3) in mm and faces (m, 3).")
       .def_static("from_hip", &joint_of_hip, py::arg("preset") = "normal", py::kw_only(),
                   py::arg("faces") = kHipFaces, "A hip made from parameters, each a keyword.")
-      .def(py::pickle([](const PoseJoint& self) { return self.made_by; }, &joint_of_state));
+      .def(py::pickle([](const PoseJoint& made) { return made.made_of; }, &made_again));
 }
 
 }  // namespace impinge::python

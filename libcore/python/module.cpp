@@ -3,8 +3,8 @@
 #include "python/bindings.hpp"
 
 PYBIND11_MODULE(_impinge, module) {
-  module.doc() = "Gaps, contact and limits of ball-and-socket joints. Lengths in mm, angles in degrees.";
   module.attr("__version__") = IMPINGE_VERSION;
+  module.doc() = "Gaps, contact and limits of ball-and-socket joints. Lengths in mm, angles in degrees.";
   pybind11::register_exception<impinge::FileError>(module, "FileError", PyExc_RuntimeError).attr("__doc__") =
       "A file, or a mesh, that cannot be used.";
   impinge::python::bind_hip(module);

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include <pybind11/pybind11.h>
+#include <pybind11/pytypes.h>
 
 #include "gap/simd/exact_cells.hpp"
 #include "gap/simd/joint_scan.hpp"
@@ -32,9 +32,8 @@ class PoseJoint {
   SessionJoint& joint() { return *session_.joint; }
   const std::string& axes() const { return axes_; }
 
-  /// Which function of the class made it, with which arguments: (name, arguments, keywords). What pickling
-  /// keeps.
-  pybind11::tuple made_by;
+  /// What pickle keeps: with it the joint can be made again.
+  pybind11::tuple made_of;
 
   /// The exact cells of the faces; and tables of `cube_gnomonic` in 16 bits at a precision in degrees.
   const PackedJoint<ExactCells>& cells();

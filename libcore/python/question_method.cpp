@@ -5,11 +5,6 @@
 
 namespace impinge::python {
 
-std::vector<std::string>& questions() {
-  static std::vector<std::string> names;
-  return names;
-}
-
 Json json_of_arguments(const py::args& args, const py::kwargs& named,
                        std::span<const std::string_view> fields) {
   if (args.size() > fields.size())
@@ -28,7 +23,8 @@ Json json_of_arguments(const py::args& args, const py::kwargs& named,
     const auto key = name.cast<std::string>();
     const auto text = dumps(value, py::arg("default") = plain).cast<std::string>();
     if ((arguments[key] = Json::parse(text, nullptr, /*allow_exceptions=*/false)).is_discarded())
-      throw std::invalid_argument(key + ": " + text + " is not finite; give a number");  // NaN, Infinity
+      throw std::invalid_argument(
+          (key + ": ").append(text).append(" is not finite; give a number"));  // NaN, Infinity
   }
   return arguments;
 }

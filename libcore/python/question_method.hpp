@@ -18,16 +18,10 @@ Json json_of_arguments(const py::args& args, const py::kwargs& named,
 /// Dicts, lists, numbers and texts of JSON.
 py::object object_of(const Json& document);
 
-/// The names of the questions that were bound.
-std::vector<std::string>& questions();
-
-/// The signature, as inspect reads it from a docstring, `text`, then a line for each field of the request and
-/// of the answer.
+/// `text`, then a line for each field of the request and of the answer.
 template <Described Request, Described Answer>
-std::string docstring_of(std::string_view name, std::string_view text) {
-  std::string lines = std::string(name) + "(self";
-  for_each_field<Request>([&](const auto& field) { lines += ", " + std::string(field.name) + "=..."; });
-  lines += ")\n--\n\n" + std::string(text);
+std::string docstring_of(std::string_view text) {
+  std::string lines(text);
   const auto add = [&lines](const auto& field) {
     lines += "\n  " + std::string(field.name) +
              (field.unit.empty() || field.unit == "1" ? "" : " (" + std::string(field.unit) + ")") + ": " +
@@ -48,15 +42,27 @@ auto ask_once(PoseJoint& joint, const Request& request) {
   return joint.ask(request);
 }
 
-/// Adds the method. `more(joint, answer, dict)` adds what is no JSON, such as arrays; `ask`, without Python's
-/// lock, may look for interrupts.
+/// `(self, KEYWORD=DEFAULT, ...)` as inspect.signature() reads it at the beginning of a docstring.
+template <Described Request>
+std::string signature_of(const char* name) {
+  std::string line = name + std::string("(self");
+  for_each_field<Request>([&line, request = Request()](const auto& field) {
+    line += ", " + std::string(field.name) + "=" +
+            py::repr(object_of(json_of(field.of(request)))).template cast<std::string>();
+  });
+  return line + ")\n--\n\n";
+}
+
+/// Adds the method, and its name by that of the question to the class' `_questions`. `more(joint, answer,
+/// dict)` adds what is no JSON, such as arrays; `ask`, without Python's lock, may look for interrupts.
 template <Described Request, Described Answer>
 void bind_question(JointClass& joint, const char* name, std::string_view text,
                    void (*more)(PoseJoint&, const Answer&, py::dict&) = nullptr,
                    Answer (*ask)(PoseJoint&, const Request&) = &ask_once<Request>) {
-  questions().emplace_back(name[0] == '_' ? name + 1 : name);
-  py::options plain;
-  plain.disable_function_signatures();
+  py::options options;
+  options.disable_function_signatures();  // there is a better one
+  if (!py::hasattr(joint, "_questions")) joint.attr("_questions") = py::dict();
+  joint.attr("_questions")[name[0] == '_' ? name + 1 : name] = name;
   joint.def(
       name,
       [more, ask](PoseJoint& self, const py::args& args, const py::kwargs& named) {
@@ -70,7 +76,7 @@ void bind_question(JointClass& joint, const char* name, std::string_view text,
         if (more != nullptr) more(self, *found, answer);
         return answer;
       },
-      docstring_of<Request, Answer>(name, text).c_str());
+      (signature_of<Request>(name) + docstring_of<Request, Answer>(text)).c_str());
 }
 
 }  // namespace impinge::python

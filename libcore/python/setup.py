@@ -12,22 +12,25 @@ from setuptools.command.build_ext import build_ext
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
+BUILD = ROOT / "build" / "pip"  # beside the other builds: a compiler cache then finds their objects
+WHEEL = BUILD / "wheel"  # so that the sources stay as they are
 
 
 class CMakeBuild(build_ext):
     def build_extension(self, ext: Extension) -> None:
         package = Path(self.get_ext_fullpath(ext.name)).resolve().parent
-        build = ROOT / "build" / "pip"  # beside the other builds: a compiler cache then finds their objects
         options = ["-DIMPINGE_PYTHON_ONLY=ON", "-DCMAKE_BUILD_TYPE=Release", f"-DPython3_EXECUTABLE={sys.executable}"]
         unity = ["-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=8"]
-        subprocess.check_call(["cmake", "-G", "Ninja", "-S", ROOT, "-B", build, *options, *unity])
+        subprocess.check_call(["cmake", "-G", "Ninja", "-S", ROOT, "-B", BUILD, *options, *unity])
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL") or str(os.cpu_count())
-        subprocess.check_call(["cmake", "--build", build, "--target", "impinge_python", "--parallel", jobs])
-        subprocess.check_call(["cmake", "--install", build, "--component", "python", "--prefix", package.parent])
+        subprocess.check_call(["cmake", "--build", BUILD, "--target", "impinge_python", "--parallel", jobs])
+        subprocess.check_call(["cmake", "--install", BUILD, "--component", "python", "--prefix", package.parent])
 
 
+WHEEL.mkdir(parents=True, exist_ok=True)
 setup(
     version=re.search(r"VERSION (\d+\.\d+\.\d+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")).group(1),
     ext_modules=[Extension("impinge._impinge", sources=[])],
     cmdclass={"build_ext": CMakeBuild},
+    options={"egg_info": {"egg_base": str(WHEEL)}, "build": {"build_base": str(WHEEL)}},
 )

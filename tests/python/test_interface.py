@@ -111,19 +111,6 @@ def test_stubs_and_page_have_what_module_and_program_have():
         assert done.returncode == 0, done.stderr
 
 
-def test_the_interpreter_says_version_and_arguments():
-    assert re.search(rf"VERSION {re.escape(impinge.__version__)}\b", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))
-    assert list(inspect.signature(impinge.Joint.limits).parameters)[:3] == ["self", "motions", "pose"]
-    assert list(inspect.signature(impinge.Joint.from_hip("normal", faces=500).orient).parameters)[0] != "self"
-
-
-def test_only_questions_are_asked_by_name():
-    joint = impinge.Joint.from_hip("normal", faces=500)
-    for word in ("landmarks", "__class__", "nonsense"):
-        with pytest.raises(ValueError, match=f"no question '{word}'; there are touch, .*limits"):
-            joint.ask(word)
-
-
 def test_help_says_what_each_member_is():
     """And of arrays their shape."""
     arrays = {"Joint.centre", "Joint.gaps", "Joint.touch", "Joint.smallest_gap", "Joint.matrices", "Surface.vertices", "Surface.faces",
@@ -147,3 +134,26 @@ def test_the_example_draws_its_picture(files, tmp_path):
         assert done.returncode == 0, done.stderr
         assert picture.read_bytes().startswith(b"\x89PNG") and "free to" in done.stdout and "centre" in done.stdout
         assert "% are reached without contact" in done.stdout
+
+
+def test_version_is_that_of_the_project():
+    project = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+    assert impinge.__version__ == re.search(r"^  VERSION ([\d.]+)$", project, re.MULTILINE)[1]
+
+
+def test_ask_takes_questions_alone(hip):
+    for name in ("landmarks", "ball", "gap", "_touch", "read", "__init__"):
+        with pytest.raises(ValueError, match=f"^there is no question '{name}'; there are touch, gaps, limits, [a-z, ]*certify$"):
+            hip.ask(name)
+    assert hip.ask("limits", motions="flexion") == hip.limits("flexion")
+
+
+def test_signatures_have_the_keywords_of_the_stubs(hip):
+    tree = ast.parse((ROOT / "libcore/python/impinge/__init__.pyi").read_text(encoding="utf-8"))
+    joint = next(node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == "Joint")
+    stubs = {part.name: [word.arg for word in part.args.args] for part in joint.body if isinstance(part, ast.FunctionDef)}
+    for question in ("limits", "volume", "resect", "orient", "measure", "certify"):
+        assert list(inspect.signature(getattr(impinge.Joint, question)).parameters) == stubs[question], question
+        assert list(inspect.signature(getattr(hip, question)).parameters) == stubs[question][1:], question
+    assert inspect.signature(hip.volume).parameters["gap_mm"].default == 0
+    assert hip.limits.__doc__.startswith("How far each motion goes")

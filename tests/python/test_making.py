@@ -1,34 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Joints of files, arrays and parameters: frames, sides, landmarks; and schemes."""
-import multiprocessing
-import pickle
-
 import impinge
 import numpy as np
 import pytest
 from shared import TURNS, marked, sphere, standing
-
-
-def gaps_of(joint):
-    return joint.gaps(TURNS)
-
-
-def test_a_pickled_joint_gives_the_same_answers_in_another_process(files):
-    read = impinge.Joint.read(*files, side="right")
-    arrays = [(s.vertices + read.centre, s.faces.copy()) for s in (read.ball, read.socket)]
-    hip = impinge.Joint.from_hip("cam", faces=1000, side="left")
-    joints = [
-        impinge.Joint.read(*files, side="right", centre=read.centre + (1, 0, 0), landmarks=standing(read.centre, 12), overlap_mm=0.25),
-        impinge.Joint.from_arrays(*arrays, side="left", centre=(0, 1, 0), axes="LPS"),
-        hip,
-    ]
-    truth = [gaps_of(joint) for joint in joints]
-    for vertices, _ in arrays:
-        vertices *= 2  # the caller's, not the joint's
-    with multiprocessing.get_context("spawn").Pool(1) as pool:
-        assert all(np.array_equal(*of, equal_nan=True) for pair in zip(pool.map(gaps_of, joints), truth) for of in zip(*pair))
-    again = pickle.loads(pickle.dumps(joints[0]))
-    assert again.landmarks == joints[0].landmarks and again.ask("touch") == joints[0].ask("touch")
 
 
 def test_landmarks_say_how_the_pelvis_leans(files, tmp_path):

@@ -20,6 +20,8 @@ from typing import Any, Literal, Sequence, TypedDict
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+__version__: str  # of the clone that it was built from
+
 class FileError(RuntimeError):
     """A file, or a mesh, that cannot be used."""
 
@@ -504,8 +506,6 @@ class Scheme:
     ) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.int64]]:
         """Of directions of shape (n, 3) and any length: entries (n, 4), their weights (n, 4), which sum to 1, and cells
         (n,). An entry that is not read is -1, with weight 0."""
-
-__version__: str
 
 def schemes() -> list[str]:
     """Names of all sampling schemes."""

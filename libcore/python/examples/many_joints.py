@@ -1,0 +1,34 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Limits of several joints at once: joints go to other processes whole, so a pool of dask.distributed does as well, here
+(many_joints.py dask) or on other machines."""
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
+
+import impinge
+
+
+def internal_rotation(joint):
+    """Free to at least this, in degrees, at 90 degrees of flexion."""
+    return joint.limits("internal_rotation", pose="flexion=90")["limits"][0]["low_deg"]
+
+
+def pool(words):
+    if words != ["dask"]:
+        return ProcessPoolExecutor(mp_context=get_context("spawn"))
+    from distributed import Client
+
+    return Client().get_executor()
+
+
+def main(words):
+    names = list(impinge.hip_presets())
+    joints = [impinge.Joint.from_hip(name, faces=2000) for name in names]
+    with pool(words) as workers:
+        for name, limit in zip(names, workers.map(internal_rotation, joints)):
+            print(f"{name}: internal rotation free to {limit:.2f} degrees")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
