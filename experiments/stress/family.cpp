@@ -124,8 +124,7 @@ StabilityTables make_stability_tables() {
         "answers that are no numbers, false hits, missed hits and wrong values; empty if refused"},
        {"bound_holds", "",
         "is no look-up between entries farther off than proven? Empty: no bound, an infinite one, or no "
-        "look-up "
-        "that answers"}});
+        "look-up that answers"}});
   tables.detail.columns =
       with_key({{"kind", "", "ours, library or brute"},
                 {"threshold", "1", "error_over_condition_u above it is wrong"},
