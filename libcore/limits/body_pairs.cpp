@@ -107,29 +107,6 @@ bool any_pair(const SweptParts& ball, const SweptParts& socket, const Apart& apa
   return false;
 }
 
-// May a point of one come within reach of a point of the other? `reach(r)` is of points r from the centre,
-// and `shift` what may take points to another distance from it.
-template <class Reach>
-bool may_come_near(const SweptParts& ball, const SweptParts& socket, const Eigen::Matrix3d& rotation,
-                   double shift, const Reach& reach) {
-  const auto slack = [](const SweptParts::Node& a, const SweptParts::Node& b) {
-    return kNodeRounding * (a.farthest + b.farthest);
-  };
-  const auto near = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
-    return reach(std::min(a.farthest, b.farthest + shift)) + slack(a, b);
-  };
-  const auto apart = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
-    return std::max(a.nearest - b.farthest, b.nearest - a.farthest) > shift + slack(a, b) ||
-           (rotation * a.centre - b.centre).norm() > a.radius + b.radius + near(a, b);
-  };
-  return any_pair(ball, socket, apart, [&](const SweptParts::Node& a, const SweptParts::Node& b) {
-    const auto& [c0, c1, c2] = ball.parts()[a.at].corner;
-    const TurnFace moved = turn_face(rotation * c0, rotation * c1, rotation * c2);
-    const TurnFace& face = socket.parts()[b.at];
-    return !farther_than(moved, face, near(a, b)) || faces_meet(moved.corner, face.corner);
-  });
-}
-
 Opening opening_of(const std::vector<Vec3>& border, double grown) {
   Eigen::Matrix3Xd at(3, static_cast<Eigen::Index>(border.size()));
   for (std::size_t k = 0; k < border.size(); ++k) at.col(static_cast<Eigen::Index>(k)) = border[k];
@@ -305,12 +282,35 @@ BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
     auto& bodies = ball ? ball_ : socket_;
     bodies.push_back(std::make_unique<Body>(whole ? *whole : mesh_of(main, kSurfaces[k]), ball,
                                             whole ? Body::Is::whole : Body::Is::main));
+    bodies[0]->find_main(mesh_of(main, kSurfaces[k]));
     for (const TriangleMesh& part : ball ? beside.ball : beside.socket)
       bodies.push_back(std::make_unique<Body>(part, ball, Body::Is::part));
   });
   if (socket_[0]->sheet) radial_ = std::make_unique<const Radial>(main);
   for (std::size_t b = 0; b < ball_.size(); ++b) {
     for (std::size_t s = 0; s < socket_.size(); ++s) pairs_.push_back({b, s});
+  }
+}
+
+// Faces are known again by their corners.
+void BodyPairs::Body::find_main(const TriangleMesh& main) {
+  using Corners = std::array<std::array<double, 3>, 3>;
+  const auto key = [](const Triangle& face) {
+    Corners at;
+    for (std::size_t k = 0; k < 3; ++k) at[k] = {face[k].x(), face[k].y(), face[k].z()};
+    std::sort(at.begin(), at.end());
+    return at;
+  };
+  std::set<Corners> all;
+  for (const Face& face : main.faces) {
+    const Triangle at = corners_of(main, face);
+    if (orientation(at[0], at[1], at[2]) != 0) all.insert(key(at));
+  }
+  of_main.resize(faces().nodes().size());
+  for (std::size_t k = of_main.size(); k-- > 0;) {  // what a node has comes after it
+    const SweptParts::Node& node = faces().nodes()[k];
+    of_main[k] = node.leaf ? all.count(key(faces().parts()[node.at].corner)) > 0
+                           : of_main[node.at] && of_main[node.at + 1];
   }
 }
 
@@ -382,79 +382,93 @@ std::optional<BodyPairs::Nearest> BodyPairs::nearest_part(const Pose& pose) cons
   return found;
 }
 
-double BodyPairs::Moved::reach(double from_centre) const {
-  return 2.0 * from_centre * std::sin(0.5 * std::min(poses.turn, kPi)) * (1.0 + kNodeRounding) +
-         poses.shift_mm;
+// Where the surfaces do not meet in these poses: may a point of one come to be inside the other?
+bool BodyPairs::may_hold(const Body& ball, const Body& socket, const NearPoses& poses) {
+  const auto farthest = [&](const Body& body) {
+    const double way = body.faces().empty() ? 0.0 : body.faces().nodes()[0].farthest;
+    return 2.0 * way * std::sin(0.5 * std::min(poses.turn, kPi)) * (1.0 + kNodeRounding) + poses.shift_mm;
+  };
+  const Eigen::Matrix3d& r = poses.rotation;
+  const auto out = [&](const Vec3& x) -> Vec3 { return r * x; };
+  const auto back = [&](const Vec3& x) -> Vec3 { return r.transpose() * x; };
+  return socket.holds_of(ball, farthest(ball), out) != Contact::no ||
+         ball.holds_of(socket, farthest(socket), back) != Contact::no;
 }
 
-// x, of this body, is farther from the surface of the other one than the poses take it.
-bool BodyPairs::Moved::is_off(const Body& other, const Vec3& x) const {
-  return other.faces().farther_than(reach(x.norm()) + kNodeRounding * x.norm(), rotation * x);
-}
-
-// x, of this body, is within the gap of the other one in all poses.
-bool BodyPairs::Moved::is_near(const Body& other, const Vec3& x) const {
-  return other.faces().within(gap - reach(x.norm()) - kNodeRounding * x.norm(), rotation * x);
-}
-
-// Where the surfaces are apart.
-bool BodyPairs::Moved::may_enter(const Body& other) const {
-  if (body.faces().empty()) return false;
-  const double farthest = reach(body.faces().nodes()[0].farthest);
-  return other.holds_of(body, farthest, [&](const Vec3& x) -> Vec3 { return rotation * x; }) != Contact::no;
-}
-
-bool BodyPairs::Moved::is_within(const Body& other) const {
-  if (body.faces().nodes().empty() || other.faces().nodes().empty()) return false;
-  const SweptParts::Node& whole = other.faces().nodes()[0];
-  std::vector<std::uint32_t> pending{0};
-  while (!pending.empty()) {
-    const SweptParts::Node& node = body.faces().nodes()[pending.back()];
-    pending.pop_back();
-    // A point of the node is at most its radius deeper or nearer than the middle, and has to be deeper than
-    // the poses take it, or nearer than the gap by as much.
-    const Vec3 middle = rotation * node.centre;
-    const double least = reach(node.nearest);
-    if (gap <= least && other.faces().within(least - node.radius, middle)) continue;
-    const double near = std::max(0.0, node.radius + gap - least);
-    if ((middle - whole.centre).norm() > near + whole.radius) continue;
-    if (other.faces().farther_than(near, middle) && other.holds(middle) != Contact::yes)
-      continue;  // none is, mostly
-    if (!node.leaf) {
-      pending.insert(pending.end(), {node.at, node.at + 1});
-      continue;
-    }
-    const Vec3& x = body.faces().parts()[node.at].corner[0];
-    if (is_near(other, x) || (is_off(other, x) && other.holds(rotation * x) == Contact::yes)) return true;
-  }
-  return false;
-}
-
-std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses, bool by_radii) const {
+template <class Meet>
+std::optional<BodyPairs::Pair> BodyPairs::first_that(const NearPoses& poses, bool by_radii,
+                                                     const Meet& meet) const {
   for (const Pair& pair : pairs_) {
     if (by_radii && main_only_ && is_main(pair)) continue;
     const Body& ball = *ball_[pair.ball];
     const Body& socket = *socket_[pair.socket];
-    const double gap = is_main(pair) ? 0.0 : poses.gap_mm;
-    const Moved out{ball, poses, poses.rotation, gap};
-    const Moved back{socket, poses, poses.rotation.transpose(), gap};
-    const auto reach = [&](double from_centre) { return out.reach(from_centre) + gap; };
-    if (may_come_near(ball.faces(), socket.faces(), poses.rotation, poses.shift_mm + gap, reach) ||
-        out.may_enter(socket) || back.may_enter(ball))
-      return pair;
+    NearBodies::Told told;
+    if (by_radii && is_main(pair))
+      told = [&](std::uint32_t a, std::uint32_t b) { return ball.of_main[a] && socket.of_main[b]; };
+    const NearBodies near(poses, is_main(pair) ? 0.0 : poses.gap_mm);
+    if (meet(near, ball.faces(), socket.faces(), told) || may_hold(ball, socket, poses)) return pair;
   }
   return std::nullopt;
 }
 
-bool BodyPairs::overlap(const NearPoses& poses, bool by_radii) const {
-  return std::ranges::any_of(pairs_, [&](const Pair& pair) {
+std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses, bool by_radii) const {
+  return first_that(poses, by_radii,
+                    [](const NearBodies& near, const SweptParts& ball, const SweptParts& socket,
+                       const NearBodies::Told& told) { return near.may_meet(ball, socket, told); });
+}
+
+std::optional<std::vector<ClosePair>> BodyPairs::close(const NearPoses& poses, bool by_radii,
+                                                       std::size_t most) const {
+  std::vector<ClosePair> found;
+  if (first_that(
+          poses, by_radii,
+          [&](const NearBodies& near, const SweptParts& ball, const SweptParts& socket,
+              const NearBodies::Told& told) { return !near.find_close(ball, socket, told, most, found); }))
+    return std::nullopt;
+  return found;
+}
+
+void BodyPairs::find_inner_balls() {
+  on_threads(kSurfaces.size(), [&](std::size_t k) {
+    for (const auto& body : kSurfaces[k] == Surface::ball ? ball_ : socket_) {
+      const auto to_opening = [&](const Vec3& x) {
+        double least = HUGE_VAL;
+        for (const Opening& at : body->openings) least = std::min(least, at.distance(x));
+        return least;
+      };
+      body->inner = InnerBalls(body->faces(),
+                               {[&](const Vec3& x) { return body->holds(x) == Contact::yes; }, to_opening});
+    }
+  });
+}
+
+template <class Visit>
+bool BodyPairs::any_near(const NearPoses& poses, bool by_radii, const Visit& visit) const {
+  return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
     if (by_radii && main_only_ && is_main(pair)) return false;
     const Body& ball = *ball_[pair.ball];
     const Body& socket = *socket_[pair.socket];
-    const double gap = is_main(pair) ? 0.0 : poses.gap_mm;
-    return Moved{ball, poses, poses.rotation, gap}.is_within(socket) ||
-           Moved{socket, poses, poses.rotation.transpose(), gap}.is_within(ball);
+    return visit(NearBodies(poses, is_main(pair) ? 0.0 : poses.gap_mm),
+                 BodyTrees{ball.faces(), ball.inner.of(poses.turn)},
+                 BodyTrees{socket.faces(), socket.inner.of(poses.turn)});
   });
+}
+
+bool BodyPairs::overlap(const NearPoses& poses, bool by_radii) const {
+  return any_near(poses, by_radii,
+                  [](const NearBodies& near, const BodyTrees& ball, const BodyTrees& socket) {
+                    return near.stay_in_contact(ball, socket);
+                  });
+}
+
+std::vector<WithinReach> BodyPairs::deepest(const NearPoses& poses, bool by_radii, std::size_t most) const {
+  std::vector<WithinReach> all;
+  any_near(poses, by_radii, [&](const NearBodies& near, const BodyTrees& ball, const BodyTrees& socket) {
+    const std::vector<WithinReach> found = near.deepest(ball, socket, most);
+    all.insert(all.end(), found.begin(), found.end());
+    return false;
+  });
+  return all;
 }
 
 std::vector<BodyPairs::Vertex> BodyPairs::near(const Pair& pair, const Pose& pose, const Vec3& place,

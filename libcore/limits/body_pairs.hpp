@@ -23,13 +23,9 @@
 // met, but radii overlap (gap/overlay.hpp), counts as contact; the answer says so. A turn asks of a sheet
 // where its surface is met, and no more.
 //
-// Many poses at once. In a rotation within rho of R, R first and then a turn by rho at most, no point p of
-// the ball is farther from R p than s = 2 |p| sin(rho / 2), and a shift adds its length. So if surfaces are
-// farther than s apart under R, they meet in none of these rotations: then each connected piece of one is
-// inside the other in all of them or in none, which one of its points tells. And a vertex that is inside
-// under R and farther than s from the surface is inside in all of them. Where a distance of g and less counts
-// as contact, surfaces farther than s + g apart are clear in all of them, and a vertex within g - s of the
-// other surface is in contact in all of them. Theorem 11 (contact).
+// Many poses at once (limits/near_poses.hpp). If surfaces meet in none of them, each connected piece of one
+// is inside the other in all of them or in none, which one of its points tells. And where a point of a
+// surface stays in an inner ball of the other body, they are in contact in all of them. Theorem 11 (contact).
 #pragma once
 
 #include <cstdint>
@@ -45,6 +41,7 @@
 #include "files/fields.hpp"
 #include "gap/pose.hpp"
 #include "hip/motion.hpp"
+#include "limits/near_poses.hpp"
 #include "limits/turn_contact.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/mesh_parts.hpp"
@@ -66,14 +63,6 @@ struct Opening {
   Eigen::Matrix3d axes;  // to the frame of the box, along which the border spreads, least first
   Eigen::AlignedBox3d box;
   double distance(const Vec3& x) const { return box.exteriorDistance((axes * x).eval()); }
-};
-
-/// All poses near a rotation of the ball.
-struct NearPoses {
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  double turn = 0.0;      // radians, the largest turn away from it
-  double shift_mm = 0.0;  // the largest shift of the ball
-  double gap_mm = 0.0;    // a distance as small as that from a part counts as contact
 };
 
 /// The bodies of a joint. Meshes in one frame, mm. Several threads may ask at the same time.
@@ -114,11 +103,18 @@ class BodyPairs {
   /// is a part; none without a part.
   std::optional<Nearest> nearest_part(const Pose& pose) const;
   /// Bodies that may be in contact in one of the poses; std::nullopt proves that none are, in any of them.
-  /// by_radii: what the main surfaces do is told by radii, and asked only where they are not all of the
-  /// bones.
+  /// by_radii: what the main surfaces do is told by radii, and not asked.
   std::optional<Pair> may_meet(const NearPoses& poses, bool by_radii = false) const;
-  /// Is some vertex inside another body, or within the gap of it, in all of the poses? Yes is proven.
+  /// The faces that may meet in one of them, where bodies are apart in the middle; none if that is not
+  /// proven, or they are more than `most`.
+  std::optional<std::vector<ClosePair>> close(const NearPoses& poses, bool by_radii, std::size_t most) const;
+  /// Makes overlap() ready, which takes a while.
+  void find_inner_balls();
+  /// Is a point of one inside another body, or within the gap of it, in all of the poses? Yes is proven. No
+  /// before find_inner_balls().
   bool overlap(const NearPoses& poses, bool by_radii = false) const;
+  /// Points that are in contact in the middle of the poses, `most` of each pair of bodies at most.
+  std::vector<WithinReach> deepest(const NearPoses& poses, bool by_radii, std::size_t most) const;
   /// A vertex, as its body lies at rest, mm.
   struct Vertex {
     Pair pair;
@@ -148,9 +144,11 @@ class BodyPairs {
     std::vector<Opening> openings;
     TurnBody lids;  // these boxes, of a body that is no sheet
     bool sheet = false;
-    int wound = 0;             // of a main sheet: 1, or -1 if its faces are seen from the bone's inside
-    std::vector<Vec3> pieces;  // a vertex of each connected piece
-    bool hollow = false;       // a closed socket round the centre: bone is outside of it
+    int wound = 0;              // of a main sheet: 1, or -1 if its faces are seen from the bone's inside
+    std::vector<Vec3> pieces;   // a vertex of each connected piece
+    bool hollow = false;        // a closed socket round the centre: bone is outside of it
+    std::vector<bool> of_main;  // of each node of faces: are all of them of the main surface, none edge-on?
+    InnerBalls inner;
     Contact holds(const Vec3& x) const;
     Contact encloses(const Vec3& x) const;
     template <class Place>
@@ -159,18 +157,7 @@ class BodyPairs {
     std::optional<int> crossings(const Vec3& from, const Vec3& to) const;
     void find_openings(const TriangleMesh& all);
     void find_pieces(const TriangleMesh& mesh);
-  };
-  /// A body in these poses, as the frame of the other one has it.
-  struct Moved {
-    const Body& body;
-    const NearPoses& poses;
-    Eigen::Matrix3d rotation;                // to that frame
-    double gap;                              // mm, that counts as contact
-    double reach(double from_centre) const;  // mm, from where the rotation takes a point
-    bool may_enter(const Body& other) const;
-    bool is_within(const Body& other) const;
-    bool is_off(const Body& other, const Vec3& x) const;
-    bool is_near(const Body& other, const Vec3& x) const;
+    void find_main(const TriangleMesh& main);
   };
   /// Of main surfaces, where the socket's has no inside.
   struct Radial {
@@ -183,11 +170,16 @@ class BodyPairs {
   Verdict verdict(const Pair& pair, const Pose& pose) const;
   template <class Ask>
   Verdict first_of(const Ask& ask) const;
+  static bool may_hold(const Body& ball, const Body& socket, const NearPoses& poses);
+  template <class Meet>
+  std::optional<Pair> first_that(const NearPoses& poses, bool by_radii, const Meet& meet) const;
+  template <class Visit>
+  bool any_near(const NearPoses& poses, bool by_radii, const Visit& visit) const;
   template <class Visit>
   void for_each_turned(const Visit& visit) const;
 
-  std::vector<std::unique_ptr<const Body>> ball_;
-  std::vector<std::unique_ptr<const Body>> socket_;
+  std::vector<std::unique_ptr<Body>> ball_;
+  std::vector<std::unique_ptr<Body>> socket_;
   std::vector<Pair> pairs_;
   bool main_only_;  // are the bones no more than the main surfaces?
   std::unique_ptr<const Radial> radial_;

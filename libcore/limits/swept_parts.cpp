@@ -204,7 +204,7 @@ bool SweptParts::farther_than(double distance, const Vec3& x) const {
 
 bool SweptParts::within(double distance, const Vec3& x) const {
   return distance >= 0.0 && any_part(distance, x, [&](std::uint32_t part) {
-           return squared_distance_to_point_of(x, parts_[part].corner) <= distance * distance;
+           return (nearest_point(x, parts_[part].corner) - x).squaredNorm() <= distance * distance;
          });
 }
 

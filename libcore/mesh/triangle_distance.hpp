@@ -12,6 +12,8 @@
 
 namespace impinge {
 
+using Triangle = std::array<Vec3, 3>;  // its corners, mm
+
 /// From p to the nearest point between a and b, mm^2.
 inline double squared_distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
@@ -41,21 +43,32 @@ inline double squared_distance_to_triangle(const Vec3& p, const Vec3& a, const V
   return squared_distance_to_sides(p, a, b, c);
 }
 
-using Triangle = std::array<Vec3, 3>;  // its corners, mm
 
-/// From p to a point of the triangle, mm^2: the nearest point up to rounding. It is never less than the true
-/// least distance by more than the rounding of lengths, however thin the triangle is.
-inline double squared_distance_to_point_of(const Vec3& p, const Triangle& of) {
+
+/// A point between a and b, the nearest one to p up to rounding.
+inline Vec3 nearest_point(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const double squared = along.squaredNorm();
+  return a + (squared > 0.0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0.0) * along;
+}
+
+/// A point of the triangle, the nearest one to p up to rounding: however thin the triangle is, it is one of its
+/// points up to the rounding of lengths.
+inline Vec3 nearest_point(const Vec3& p, const Triangle& of) {
   const auto& [a, b, c] = of;
   const Vec3 normal = (b - a).cross(c - a);
   const auto weight = [&](const Vec3& from, const Vec3& to) {
     return std::max(0.0, normal.dot((to - from).cross(p - from)));
   };
+  Vec3 nearest = nearest_point(p, a, b);
+  const auto take = [&](const Vec3& x) {
+    if ((x - p).squaredNorm() < (nearest - p).squaredNorm()) nearest = x;
+  };
+  take(nearest_point(p, b, c));
+  take(nearest_point(p, c, a));
   const Vec3 weights(weight(b, c), weight(c, a), weight(a, b));
-  const double sides = squared_distance_to_sides(p, a, b, c);
-  if (!(weights.sum() > 0.0)) return sides;
-  const Vec3 inside = weights / weights.sum();
-  return std::min(sides, (p - inside[0] * a - inside[1] * b - inside[2] * c).squaredNorm());
+  if (weights.sum() > 0.0) take((weights[0] * a + weights[1] * b + weights[2] * c) / weights.sum());
+  return nearest;
 }
 
 /// Between the segments a0 a1 and b0 b1, mm^2: at an end of one of them, or between the two lines if their

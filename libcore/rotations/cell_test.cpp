@@ -17,7 +17,8 @@ namespace {
 constexpr double kTolerance = 1e-12;  // of 1 / r and of lengths, as a share
 constexpr double kTurnSlack = 2e-9;   // radians
 
-constexpr std::uint32_t kCoarsestPart = 6;   // level of cells that are taken apart
+constexpr std::uint32_t kCoarsestPart = 6;  // level of cells that are taken apart
+constexpr std::uint32_t kCoarsestOfBodies = 5;
 constexpr std::uint32_t kFinestPart = 10;    // planes of finer ones are too coarse
 constexpr std::size_t kMostWitnesses = 4;    // of a surface, that may block part of a cell
 constexpr std::size_t kMostBlocked = 6;      // of both
@@ -26,6 +27,7 @@ constexpr double kLeastGain = 0.05;          // of half a side: what reaches les
 constexpr double kLeastSlope = 1e-3;         // of a normal across a direction, that counts
 constexpr double kLeastNormal = 1e-9;        // mm^2, of two edges
 constexpr std::size_t kMostPairs = 4000;     // of faces, that are kept apart in a cell
+constexpr std::size_t kMostClose = 200;      // of faces of bodies
 
 // A search over the nodes of a tree that opens the one found last.
 struct Pending {
@@ -149,6 +151,7 @@ CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question, co
     const Surface of = kSurfaces[k];
     sides_[k] = std::make_unique<const Side>(mesh_of(joint, of), facing_layer(of), question);
   });
+  bodies_.find_inner_balls();
   const SeenSurface& socket = surface(Surface::socket);
   least_ball_ = grown_ball().least_radius() - growth_;
   least_socket_ = socket.least_radius();
@@ -414,11 +417,14 @@ CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& fr
   const bool by_radii = test_.question_.gap_mm > 0.0 || !bodies.has_inside();
   if (by_radii && verdict.state == CellState::blocked) return verdict;
   const bool apart = verdict.state == CellState::free || verdict.state == CellState::unknown;
-  if (!bodies.may_meet(poses, apart || by_radii)) {
+  // The middle tells which of both is worth trying.
+  const Contact middle =
+      poses.gap_mm > 0.0 ? Contact::unknown : bodies.verdict({rotations.rotation, Vec3::Zero()}).contact;
+  if (middle != Contact::yes && !bodies.may_meet(poses, apart || by_radii)) {
     if (!by_radii && !apart) verdict = {state_of_free(asked), {}};
     return verdict;
   }
-  const bool overlap = bodies.overlap(poses, apart || by_radii);
+  const bool overlap = middle != Contact::no && bodies.overlap(poses, apart || by_radii);
   if (overlap || apart) verdict.hint = {};  // the main surfaces do not stop it
   verdict.state = overlap ? CellState::blocked : CellState::open;
   return verdict;
@@ -507,8 +513,8 @@ void CellSearch::find_witnesses(const Parted& at, Surface of, std::vector<Reach>
   search_deepest(test_.surface(of).vertex_tree(), kMostVertices, depth_of, take);
 }
 
-// Cuts off what vertices block, those first that block most; true if nothing is left.
-bool CellSearch::take_blocked(Parted& at, const CellHint& hint) {
+// Forms of what vertices block.
+std::vector<FormOverCell> CellSearch::blocked_by_radii(const Parted& at, const CellHint& hint) {
   std::vector<FormOverCell> forms;
   for (const Surface of : kSurfaces) {
     std::vector<Reach> found;
@@ -521,6 +527,22 @@ bool CellSearch::take_blocked(Parted& at, const CellHint& hint) {
     for (const Reach& reach : found)
       if (const auto form = block_form(at, of, reach)) forms.push_back(*form);
   }
+  return forms;
+}
+
+// Forms of what bodies block: |R x - y|^2 = |x|^2 + |y|^2 - 2 y . R x.
+std::vector<FormOverCell> CellSearch::blocked_by_bodies(const Parted& at, const NearPoses& poses,
+                                                        bool by_radii) const {
+  std::vector<FormOverCell> forms;
+  for (const auto& [x, y, reach] : test_.bodies_.deepest(poses, by_radii, kMostWitnesses)) {
+    const double squares = x.squaredNorm() + y.squaredNorm();
+    forms.push_back(at.frame.form(y, x, 0.5 * (squares - reach * reach), 1.0, kTolerance * squares));
+  }
+  return forms;
+}
+
+// Cuts off what is blocked, where most is first; true if nothing is left.
+bool CellSearch::take_blocked(Parted& at, const std::vector<FormOverCell>& forms) {
   std::vector<CellPlane> planes;
   planes.reserve(forms.size());
   for (const FormOverCell& form : forms) planes.push_back(form.plane());
@@ -675,16 +697,35 @@ bool CellSearch::take_free(Parted& at, const CellHint& hint) const {
   return !search_deepest(socket.face_tree(), SIZE_MAX, depth_of, with) && !at.left.empty();
 }
 
+// Clips what is left to where bodies are apart; false where that cannot be said of any of it.
+bool CellSearch::keep_bodies_apart(Parted& at, const NearPoses& poses, bool by_radii) const {
+  const auto close = test_.bodies_.close(poses, by_radii, kMostClose);
+  return close && std::all_of(close->begin(), close->end(), [&](const ClosePair& pair) {
+           return std::all_of(pair.of_ball.begin(), pair.of_ball.end(), [&](const Vec3& x) {
+             const double slack = kTolerance * (x.norm() + std::abs(pair.least));
+             return at.keep(at.frame.form(pair.normal, x, pair.least, -1.0, slack));
+           });
+         });
+}
+
 CellPart CellSearch::part_of(const RotationCell& cell, const CellHint& hint) {
   const CellQuestion& question = test_.question_;
   const RotationBall rotations = ball_about(cell);
   const NearPoses poses = test_.poses_near(rotations);
-  if (question.centre_within_mm > 0.0 || cell.level < kCoarsestPart || cell.level > kFinestPart) return {};
-  Parted at{asked_of(poses, rotations), CellFrame(cell)};
   const bool by_radii = question.gap_mm > 0.0 || !test_.bodies_.has_inside();
-  if (by_radii && take_blocked(at, hint)) at.part.state = CellState::blocked;
-  if (!at.left.empty() && state_of_free(at.asked) == CellState::free && take_free(at, hint) &&
-      !test_.bodies_.may_meet(poses, true)) {
+  if (question.centre_within_mm > 0.0 || cell.level > kFinestPart ||
+      cell.level < (by_radii ? kCoarsestPart : kCoarsestOfBodies))
+    return {};
+  Parted at{asked_of(poses, rotations), CellFrame(cell)};
+  std::vector<FormOverCell> forms = blocked_by_bodies(at, poses, by_radii);
+  if (by_radii) {
+    const std::vector<FormOverCell> more = blocked_by_radii(at, hint);
+    forms.insert(forms.end(), more.begin(), more.end());
+  }
+  if (take_blocked(at, forms)) at.part.state = CellState::blocked;
+  const bool may_be_free = by_radii ? !at.left.empty() : forms.empty();
+  if (may_be_free && state_of_free(at.asked) == CellState::free && keep_bodies_apart(at, poses, by_radii) &&
+      (!by_radii || take_free(at, hint)) && !at.left.empty()) {
     if (at.planes.empty()) at.part.state = CellState::free;
     at.part.free_share = at.left.share(at.frame);
     for (std::size_t k = 0; k < at.planes.size(); ++k)

@@ -180,8 +180,11 @@ class CellSearch {
   Asked asked_of(const NearPoses& poses, const RotationBall& rotations) const;
   std::optional<FormOverCell> block_form(const Parted& at, Surface of, const Reach& reach);
   void find_witnesses(const Parted& at, Surface of, std::vector<Reach>& found);
-  bool take_blocked(Parted& at, const CellHint& hint);
+  std::vector<FormOverCell> blocked_by_radii(const Parted& at, const CellHint& hint);
+  std::vector<FormOverCell> blocked_by_bodies(const Parted& at, const NearPoses& poses, bool by_radii) const;
+  static bool take_blocked(Parted& at, const std::vector<FormOverCell>& forms);
   bool keep_apart(Parted& at, const PosedFace& socket, const DirectionFace& ball) const;
+  bool keep_bodies_apart(Parted& at, const NearPoses& poses, bool by_radii) const;
   bool take_free(Parted& at, const CellHint& hint) const;
 
   CellVerdict facing(const Asked& asked, const CellHint& from);  // of the main surfaces, by radii

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kBatch = 1024;    // cells that are split before anyone looks at the width
 constexpr std::size_t kTaken = 16;      // of them that a thread takes at a time
-constexpr double kWidestParted = 0.03;  // width from which on parts are worth their time
+constexpr double kWidestParted = 0.03;  // width from which on parts are worth their time by radii
 constexpr std::uint8_t kCertainly = 1;
 constexpr std::uint8_t kPerhaps = 2;
 
@@ -26,7 +26,10 @@ constexpr std::uint8_t kPerhaps = 2;
 class MotionVolume::Refinement {
  public:
   Refinement(MotionVolume& volume, const CellTest& test, const VolumeSettings& settings)
-      : volume_(volume), settings_(settings), known_(settings.known) {
+      : volume_(volume),
+        settings_(settings),
+        parted_(settings.width <= kWidestParted || test.bodies().has_inside()),
+        known_(settings.known) {
     for (std::size_t k = 0; k < std::max<std::size_t>(settings.threads, 1); ++k) searches_.emplace_back(test);
   }
 
@@ -104,7 +107,7 @@ class MotionVolume::Refinement {
           else
             at.verdict = k < known_.size() ? known_[k] : searches_[thread].decide(at.cell, at.hint);
           if (at.verdict.state != CellState::open) continue;
-          if (settings_.width <= kWidestParted) at.part = searches_[thread].part_of(at.cell, at.verdict.hint);
+          if (parted_) at.part = searches_[thread].part_of(at.cell, at.verdict.hint);
           at.verdict.state = at.part.state;
           at.share = std::max(0.0, share(at.cell) - at.part.free_share - at.part.blocked_share);
         }
@@ -140,6 +143,7 @@ class MotionVolume::Refinement {
 
   MotionVolume& volume_;
   const VolumeSettings& settings_;
+  bool parted_;  // are open cells taken apart?
   std::span<const CellVerdict> known_;
   std::vector<CellSearch> searches_;
   std::map<int, std::vector<Open>> waiting_;  // by share, quarter octaves below 1

@@ -95,38 +95,81 @@ bool holds(const TriangleMesh& mesh, const Vec3& x) {
   return std::abs(angle) > 2.0 * kPi;
 }
 
-// A head with a spike, and a wing that goes behind the wall of the socket; the bones are closed.
-TEST(TheoremVolume, IsNeverWrongOfBonesWithAnInside) {
-  BallSocketPair joint{sphere(20.0, 60), cup(26.0, 70.0, 60)};
-  joint.ball.vertices[5] *= 1.45;
-  const TriangleMesh head = joint.ball;
-  for (const double side : {1.0, -1.0}) {
-    TriangleMesh wing = octahedron(3.0);
-    for (Vec3& x : wing.vertices) x += Vec3(side * 30.0, 22.0, 0.0);
-    joint.ball = test::joined(joint.ball, wing);
+// A head with a spike, and wings that go behind the wall of the socket; the bones are closed.
+struct ClosedBones {
+  ClosedBones() {
+    joint.ball.vertices[5] *= 1.45;
+    head = joint.ball;
+    for (const double side : {1.0, -1.0}) {
+      TriangleMesh wing = octahedron(3.0);
+      for (Vec3& x : wing.vertices) x += Vec3(side * 30.0, 22.0, 0.0);
+      joint.ball = test::joined(joint.ball, wing);
+    }
+    const TriangleMesh inner = joint.socket;
+    TriangleMesh back = inner;
+    for (Vec3& x : back.vertices) x *= 32.0 / 26.0;
+    joint.socket = test::with_back(inner, back);
   }
-  const TriangleMesh inner = joint.socket;
-  TriangleMesh back = inner;
-  for (Vec3& x : back.vertices) x *= 32.0 / 26.0;
-  joint.socket = test::with_back(inner, back);
-  ASSERT_TRUE(boundary_edges(joint.socket).empty());
-  const CellTest test(joint);
+  bool meet(const Eigen::Matrix3d& rotation) const {
+    const TriangleMesh ball = test::turned(joint.ball, rotation);
+    return surfaces_meet(ball, joint.socket) || holds(ball, joint.socket.vertices[0]) ||
+           holds(joint.socket, rotation * head.vertices[0]) || holds(joint.socket, ball.vertices.back()) ||
+           holds(joint.socket, ball.vertices[head.vertices.size()]);
+  }
+  BallSocketPair joint{sphere(20.0, 60), cup(26.0, 70.0, 60)};
+  TriangleMesh head;
+};
+
+TEST(TheoremVolume, IsNeverWrongOfBonesWithAnInside) {
+  const ClosedBones bones;
+  ASSERT_TRUE(boundary_edges(bones.joint.socket).empty());
+  const CellTest test(bones.joint);
   ASSERT_TRUE(test.bodies().has_inside());
-  test::ExactTouch overlay(joint);
+  test::ExactTouch overlay(bones.joint);
   std::size_t behind = 0;  // of radii that overlap, where bones are clear
   const Asked asked =
       attack(test, std::min<std::size_t>(random_cases(), 2000), [&](const Eigen::Matrix3d& rotation) {
-        const TriangleMesh ball = test::turned(joint.ball, rotation);
-        const bool contact = surfaces_meet(ball, joint.socket) || holds(ball, joint.socket.vertices[0]) ||
-                             holds(joint.socket, rotation * head.vertices[0]) ||
-                             holds(joint.socket, ball.vertices.back()) ||
-                             holds(joint.socket, ball.vertices[head.vertices.size()]);
+        const bool contact = bones.meet(rotation);
         if (!contact && overlay.impinged({rotation, Vec3::Zero()})) ++behind;
         return contact;
       });
   EXPECT_GT(asked.free, 50U);
   EXPECT_GT(asked.blocked, 50U);
   EXPECT_GT(behind, 20U);
+}
+
+// Parts of open cells, at random and a hair within their planes, where a wrong one would be found first.
+TEST(TheoremVolume, PartsAreNeverWrongOfBonesWithAnInside) {
+  const ClosedBones bones;
+  const CellTest test(bones.joint);
+  CellSearch search(test);
+  test::Dice dice(61);
+  Asked asked;
+  for (std::size_t k = 0;
+       k < 200 * random_cases() && std::min(asked.free, asked.blocked) < random_cases() / 2; ++k) {
+    std::mt19937_64 engine(k);
+    const RotationCell cell = any_cell(engine, static_cast<std::uint32_t>(dice.whole(5, 9)));
+    const CellVerdict verdict = search.decide(cell);
+    if (verdict.state != CellState::open) continue;
+    const CellPart part = search.part_of(cell, verdict.hint);
+    for (std::size_t n = 0; n < 12; ++n) {
+      const std::vector<CellPlane>& planes = n % 2 == 0 ? part.free : part.blocked;
+      Vec3 t(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));
+      if (n % 3 == 0 && !planes.empty()) {
+        const CellPlane& plane = planes[n % planes.size()];
+        const Vec3 slope(plane.slope[0], plane.slope[1], plane.slope[2]);
+        t -= (plane.at(t) - 1e-7) * slope / slope.squaredNorm();
+        t = t.cwiseMax(-1.0).cwiseMin(1.0);
+      }
+      const bool blocked = part.state == CellState::blocked || part.is_blocked(t);
+      if (!blocked && part.state != CellState::free && !part.is_free(t)) continue;
+      ++(blocked ? asked.blocked : asked.free);
+      EXPECT_EQ(bones.meet(rotation_of(point_of(cell, {t[0], t[1], t[2]}))), blocked)
+          << cell.level << " " << cell.number << " " << t.transpose();
+    }
+  }
+  EXPECT_GT(asked.free, random_cases() / 50);
+  EXPECT_GT(asked.blocked, random_cases() / 50);
 }
 
 TEST(TheoremVolume, IsNeverWrongOfAHip) {

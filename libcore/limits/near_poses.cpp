@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "limits/near_poses.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "contact/part_distance.hpp"
+#include "mesh/meeting_faces.hpp"
+#include "mesh/triangle_distance.hpp"
+
+namespace impinge {
+namespace {
+
+constexpr double kRounding = 1e-9;  // of lengths
+constexpr double kSquared = 1e-13;  // of squares of lengths
+constexpr double kTouches = 1e-6;   // of the radius of a ball
+constexpr double kLeastArm = 0.1;   // mm, of a length that a turn makes up for
+constexpr int kMostShrinks = 30;    // of a ball
+
+// Is meet(a, b) true of two parts? Nodes of which apart(a, b) is true are not opened.
+template <class Apart, class Meet>
+bool any_pair(const SweptParts& ball, const SweptParts& socket, const Apart& apart, const Meet& meet) {
+  if (ball.empty() || socket.empty()) return false;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pending{{0, 0}};
+  while (!pending.empty()) {
+    const auto [p, q] = pending.back();
+    pending.pop_back();
+    const SweptParts::Node& a = ball.nodes()[p];
+    const SweptParts::Node& b = socket.nodes()[q];
+    if (apart(p, q)) continue;
+    if (a.leaf && b.leaf) {
+      if (meet(ball.parts()[a.at], socket.parts()[b.at])) return true;
+      continue;
+    }
+    const bool open_a = b.leaf || (!a.leaf && a.radius >= b.radius);
+    for (std::uint32_t k = 0; k < 2; ++k) pending.emplace_back(open_a ? a.at + k : p, open_a ? q : b.at + k);
+  }
+  return false;
+}
+
+double farthest(const TurnFace& face) {
+  return std::sqrt(
+      std::max({face.corner[0].squaredNorm(), face.corner[1].squaredNorm(), face.corner[2].squaredNorm()}));
+}
+
+}  // namespace
+
+NearBodies::NearBodies(const NearPoses& poses, double gap_mm)
+    : poses_(poses),
+      cosine_(std::cos(std::min(poses.turn, kPi))),
+      sine_(std::sin(std::min(poses.turn, kPi))),
+      more_(poses.shift_mm + gap_mm),
+      gap_(gap_mm) {}
+
+TurnFace NearBodies::turned(const TurnFace& face) const {
+  return turn_face(turned(face.corner[0]), turned(face.corner[1]), turned(face.corner[2]));
+}
+
+double NearBodies::least_squared(const Vec3& p, const Vec3& y) const {
+  const double along = p.dot(y);
+  const double across = p.cross(y).norm();
+  const double both = p.squaredNorm() + y.squaredNorm();
+  const double product = across * cosine_ <= along * sine_ ? std::sqrt(p.squaredNorm() * y.squaredNorm())
+                                                           : along * cosine_ + across * sine_;
+  return both * (1.0 - kSquared) - 2.0 * product;
+}
+
+double NearBodies::most_squared(const Vec3& p, const Vec3& y) const {
+  const double along = p.dot(y);
+  const double across = p.cross(y).norm();
+  const double both = p.squaredNorm() + y.squaredNorm();
+  const double product = across * cosine_ + along * sine_ <= 0.0
+                             ? -std::sqrt(p.squaredNorm() * y.squaredNorm())
+                             : along * cosine_ - across * sine_;
+  return both * (1.0 + kSquared) - 2.0 * product;
+}
+
+double NearBodies::most_along(const Vec3& n, const Vec3& p) const {
+  const double along = n.dot(p);
+  const double across = n.cross(p).norm();
+  return across * cosine_ <= along * sine_ ? p.norm() : along * cosine_ + across * sine_;
+}
+
+// Are they apart, in all of the poses, on either side of a plane across unit n?
+bool NearBodies::apart_along(const Vec3& n, const TurnFace& moved, const TurnFace& face) const {
+  const double low = std::min({n.dot(face.corner[0]), n.dot(face.corner[1]), n.dot(face.corner[2])});
+  const double slack = more_ + kRounding * (farthest(moved) + farthest(face));
+  for (const Vec3& p : moved.corner)
+    if (!(low - most_along(n, p) > slack)) return false;
+  return true;
+}
+
+// Across which a plane may keep them apart: their normals, and from the middle of one to that of the other,
+// when a turn has brought them as near as it can.
+std::array<Vec3, 3> NearBodies::ways(const TurnFace& moved, const TurnFace& face) const {
+  const Vec3 middle = (moved.corner[0] + moved.corner[1] + moved.corner[2]) / 3.0;
+  const Vec3 to = (face.corner[0] + face.corner[1] + face.corner[2]) / 3.0 - middle;
+  const double far = middle.norm();
+  const Vec3 out = far > 0.0 ? Vec3(middle / far) : to;
+  const Vec3 along = to.dot(out) * out;
+  const double side = (to - along).norm();
+  const double left = std::max(0.0, side - far * poses_.turn);
+  const Vec3 between = far > 0.0 && side > 0.0 ? Vec3(along + left / side * (to - along)) : out;
+  std::array<Vec3, 3> all{face.normal, moved.normal, between};
+  for (Vec3& n : all) n.stableNormalize();
+  return all;
+}
+
+bool NearBodies::apart(const TurnFace& moved, const TurnFace& face) const {
+  for (const Vec3& n : ways(moved, face))
+    if (apart_along(n, moved, face) || apart_along(-n, moved, face)) return true;
+  const double way = 2.0 * std::sin(0.5 * std::min(poses_.turn, kPi)) * farthest(moved);
+  const double reach = way + more_ + kRounding * (farthest(moved) + farthest(face));
+  return farther_than(moved, face, reach) && !faces_meet(moved.corner, face.corner);
+}
+
+// meet(face of the ball, face of the socket) for those that may be as near as the gap, until it is true.
+template <class Meet>
+bool NearBodies::any_close(const SweptParts& ball, const SweptParts& socket, const Told& told,
+                           const Meet& meet) const {
+  const auto are_apart = [&](std::uint32_t p, std::uint32_t q) {
+    const SweptParts::Node& a = ball.nodes()[p];
+    const SweptParts::Node& b = socket.nodes()[q];
+    const double slack = more_ + kRounding * (a.farthest + b.farthest);
+    if (std::max(a.nearest - b.farthest, b.nearest - a.farthest) > slack) return true;
+    const double reach = a.radius + b.radius + slack;
+    return least_squared(turned(a.centre), b.centre) > reach * reach || (told && told(p, q));
+  };
+  return any_pair(ball, socket, are_apart, [&](const TurnFace& a, const TurnFace& b) {
+    const TurnFace moved = turned(a);
+    return !apart(moved, b) && meet(a, moved, b);
+  });
+}
+
+bool NearBodies::may_meet(const SweptParts& ball, const SweptParts& socket, const Told& told) const {
+  return any_close(ball, socket, told,
+                   [](const TurnFace&, const TurnFace&, const TurnFace&) { return true; });
+}
+
+bool NearBodies::find_close(const SweptParts& ball, const SweptParts& socket, const Told& told,
+                            std::size_t most, std::vector<ClosePair>& close) const {
+  return !any_close(ball, socket, told, [&](const TurnFace& a, const TurnFace& moved, const TurnFace& face) {
+    if (close.size() == most) return true;
+    double best = 0.0;
+    ClosePair pair{a.corner, Vec3::Zero(), 0.0};
+    for (const Vec3& way : ways(moved, face)) {
+      for (const Vec3& n : {way, Vec3(-way)}) {
+        double most_of_ball = -HUGE_VAL;
+        double least = HUGE_VAL;
+        for (const Vec3& x : moved.corner) most_of_ball = std::max(most_of_ball, n.dot(x));
+        for (const Vec3& y : face.corner) least = std::min(least, n.dot(y));
+        least -= more_;
+        // As an angle of a turn that makes up for it.
+        const double apart = (least - most_of_ball) / (n.cross(moved.corner[0]).norm() + kLeastArm);
+        if (apart <= best) continue;
+        best = apart;
+        pair.normal = n;
+        pair.least = least;
+      }
+    }
+    if (best > 0.0) close.push_back(pair);
+    return best == 0.0;
+  });
+}
+
+// take(points) for points of faces and inner balls until it is true. Of nodes, far(p, y, reach) tells that a
+// point that R takes to p and y are not wanted, though they may be as near as that.
+template <class Far, class Take>
+bool NearBodies::any_within_reach(const BodyTrees& ball, const BodyTrees& socket, const Far& far,
+                                  const Take& take) const {
+  const double more = gap_ - poses_.shift_mm;
+  const auto any = [&](const SweptParts& of_ball, const SweptParts& of_socket, const auto& points) {
+    const auto apart = [&](std::uint32_t p, std::uint32_t q) {
+      const SweptParts::Node& a = of_ball.nodes()[p];
+      const SweptParts::Node& b = of_socket.nodes()[q];
+      const double reach = a.radius + b.radius + more;
+      return reach < 0.0 || std::max(a.nearest - b.farthest, b.nearest - a.farthest) > std::max(0.0, more) ||
+             far(turned(a.centre), b.centre, reach);
+    };
+    return any_pair(of_ball, of_socket, apart, [&](const TurnFace& a, const TurnFace& b) {
+      const WithinReach at = points(a, b);
+      return at.reach > 0.0 && take(at);
+    });
+  };
+  const auto of_inner = [&](const TurnFace& inner, const TurnFace& face) -> WithinReach {
+    const Vec3 c = turned(inner.corner[0]);
+    return {inner.corner[0], nearest_point(c, face.corner), inner.doubt + more};
+  };
+  const auto in_inner = [&](const TurnFace& face, const TurnFace& inner) -> WithinReach {
+    const Vec3& c = inner.corner[0];
+    const Triangle at{turned(face.corner[0]), turned(face.corner[1]), turned(face.corner[2])};
+    return {poses_.rotation.transpose() * nearest_point(c, at), c, inner.doubt + more};
+  };
+  return any(ball.inner, socket.faces, of_inner) || any(ball.faces, socket.inner, in_inner);
+}
+
+bool NearBodies::stay_in_contact(const BodyTrees& ball, const BodyTrees& socket) const {
+  const auto far = [&](const Vec3& p, const Vec3& y, double reach) {
+    return most_squared(p, y) > reach * reach;
+  };
+  return any_within_reach(ball, socket, far, [&](const WithinReach& at) {
+    return most_squared(turned(at.of_ball), at.of_socket) <= at.reach * at.reach;
+  });
+}
+
+std::vector<WithinReach> NearBodies::deepest(const BodyTrees& ball, const BodyTrees& socket,
+                                             std::size_t most) const {
+  std::vector<WithinReach> found;
+  std::vector<double> depth;
+  double least = 0.0;
+  const auto far = [&](const Vec3& p, const Vec3& y, double reach) {
+    const double wanted = reach - least;
+    return wanted < 0.0 || (p - y).squaredNorm() > wanted * wanted;
+  };
+  const auto same_ball = [&](const WithinReach& a, const WithinReach& b) {
+    return a.reach == b.reach && (a.of_ball == b.of_ball || a.of_socket == b.of_socket);
+  };
+  any_within_reach(ball, socket, far, [&](const WithinReach& at) {
+    const double deep = at.reach - (turned(at.of_ball) - at.of_socket).norm();
+    if (deep <= least) return false;
+    std::size_t k = 0;
+    while (k < found.size() && !same_ball(found[k], at)) ++k;
+    if (k == found.size() && k == most)
+      k = static_cast<std::size_t>(std::min_element(depth.begin(), depth.end()) - depth.begin());
+    if (k == found.size()) {
+      found.push_back(at);
+      depth.push_back(deep);
+    } else if (deep > depth[k]) {
+      found[k] = at;
+      depth[k] = deep;
+    }
+    if (found.size() == most) least = *std::min_element(depth.begin(), depth.end());
+    return false;
+  });
+  return found;
+}
+
+namespace {
+
+// A point of a face that is nearest to x, if one is nearer than that.
+std::optional<Vec3> nearest_within(const SweptParts& faces, const Vec3& x, double within) {
+  std::optional<Vec3> found;
+  std::vector<std::uint32_t> pending{0};
+  while (!pending.empty()) {
+    const SweptParts::Node& node = faces.nodes()[pending.back()];
+    pending.pop_back();
+    const double reach = within + node.radius;
+    if ((node.centre - x).squaredNorm() >= reach * reach) continue;
+    if (!node.leaf) {
+      const bool first = (faces.nodes()[node.at].centre - x).squaredNorm() <
+                         (faces.nodes()[node.at + 1].centre - x).squaredNorm();
+      pending.push_back(first ? node.at + 1 : node.at);
+      pending.push_back(first ? node.at : node.at + 1);
+      continue;
+    }
+    const Vec3 y = nearest_point(x, faces.parts()[node.at].corner);
+    const double distance = (y - x).norm();
+    if (distance >= within) continue;
+    within = distance;
+    found = y;
+  }
+  return found;
+}
+
+// A ball and where it touches the surface, from which it was found.
+struct TouchingBall {
+  Vec3 at;
+  Vec3 centre;
+  double radius;  // mm
+};
+
+// Balls that touch a surface and hold no point of it.
+class TouchingBalls {
+ public:
+  explicit TouchingBalls(const SweptParts& faces) : faces_(faces) {
+    const std::size_t step = 1 + faces.parts().size() / kFirstLook;
+    for (std::size_t f = 0; f < faces.parts().size(); f += step) some_.push_back(faces.parts()[f].corner[0]);
+  }
+
+  // The largest at v on that side.
+  TouchingBall at(const Vec3& v, const Vec3& side) const {
+    TouchingBall ball{v, v, faces_.nodes()[0].radius};
+    for (const Vec3& y : some_) shrink(ball, side, y);
+    for (int k = 0; k < kMostShrinks && ball.radius > 0.0; ++k) {
+      const auto y = nearest_within(faces_, v + ball.radius * side, ball.radius * (1.0 - kTouches));
+      if (!y) break;
+      shrink(ball, side, *y);
+    }
+    ball.centre = v + ball.radius * side;
+    return ball;
+  }
+
+ private:
+  static constexpr std::size_t kFirstLook = 500;  // points
+  static void shrink(TouchingBall& ball, const Vec3& side, const Vec3& y) {
+    const double height = side.dot(y - ball.at);
+    if (height > 0.0) ball.radius = std::min(ball.radius, (y - ball.at).squaredNorm() / (2.0 * height));
+  }
+
+  const SweptParts& faces_;
+  std::vector<Vec3> some_;
+};
+
+// Does it touch where one of these is as near as that?
+template <class Balls>
+bool is_near(const Vec3& at, const Balls& balls, double near) {
+  return std::any_of(balls.begin(), balls.end(), [&](const TouchingBall& ball) {
+    const double reach = ball.radius + near;
+    return (at - ball.centre).squaredNorm() <= reach * reach;
+  });
+}
+
+// Some of the balls, the largest first, so that all the others are near these.
+SweptParts covering(std::span<const TouchingBall> balls, double near) {
+  std::vector<TouchingBall> kept;
+  std::vector<TurnFace> points;
+  for (const TouchingBall& ball : balls) {
+    if (is_near(ball.at, kept, near)) continue;
+    kept.push_back(ball);
+    points.push_back(turn_point(ball.centre));
+    points.back().doubt = ball.radius;
+  }
+  return SweptParts(std::move(points));
+}
+
+}  // namespace
+
+InnerBalls::InnerBalls(const SweptParts& faces, const BodyInside& inside) {
+  if (faces.empty()) return;
+  const double size = faces.nodes()[0].radius;
+  const TouchingBalls touching(faces);
+  const double finest = kNear.back() * size;
+  std::vector<TouchingBall> balls;
+  const auto take = [&](const Vec3& v, const Vec3& side) {
+    // A little below the surface, whose faces are not quite as smooth as balls.
+    TouchingBall ball = touching.at(v + 0.5 * finest * side, side);
+    if (ball.radius <= finest || !inside.holds(ball.centre)) return false;
+    ball.radius = std::min(ball.radius * (1.0 + kTouches), inside.to_opening(ball.centre));
+    faces.visit_near(ball.centre, ball.radius, [&](std::uint32_t f) {
+      ball.radius = std::min(ball.radius, least_distance(ball.centre, faces.parts()[f]));
+    });
+    ball.radius -= kRounding * (ball.centre.norm() + size);
+    if (ball.radius > finest) balls.push_back(ball);
+    return true;
+  };
+  const std::size_t step = 1 + faces.parts().size() / kMostAsked;
+  std::vector<TouchingBall> bare;
+  for (std::size_t f = 0; f < faces.parts().size(); f += step) {
+    const TurnFace& face = faces.parts()[f];
+    const double length = face.normal.norm();
+    if (!(length > 0.0)) continue;
+    const Vec3 v = (face.corner[0] + face.corner[1] + face.corner[2]) / 3.0;
+    const Vec3 side = face.normal / length;
+    if (is_near(v, balls, finest)) continue;
+    if (!take(v, -side) && !take(v, side)) bare.push_back({v, v, 0.0});
+  }
+  if (balls.empty()) balls = std::move(bare);
+  std::stable_sort(balls.begin(), balls.end(),
+                   [](const TouchingBall& a, const TouchingBall& b) { return a.radius > b.radius; });
+  for (std::size_t k = 0; k < kNear.size(); ++k) levels_[k] = covering(balls, kNear[k] * size);
+}
+
+const SweptParts& InnerBalls::of(double turn) const {
+  std::size_t level = 0;
+  while (level + 1 < kNear.size() && kNear[level] > kOfWay * turn) ++level;
+  return levels_[level];
+}
+
+}  // namespace impinge
