@@ -3,6 +3,7 @@
 // tests/e2e/test_frames.py.
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "hip/hip.hpp"
@@ -93,6 +94,29 @@ TEST(SessionResection, SaysThatTheBonesTouchBeforeAnyMotion) {
   Session session(std::move(joint), Side::right, "RAS");
   EXPECT_EQ(thrown<std::runtime_error>([&] { answer(session, asked("flexion=30")); }).substr(0, 49),
             "the ball meets the socket in the pose of the scan");
+}
+
+// The hip scanned with its femur turned: landmarks turn that back, and the cut lies where the scan was.
+TEST(SessionResection, LiesInTheFrameOfTheFilesWhereLandmarksTurnTheBall) {
+  const auto cut_of = [](const Eigen::Matrix3d& femur) {
+    Session session = scanned_hip(hip_preset("cam"));
+    Joint joint = std::move(session.joint->joint);
+    for (Vec3& x : joint.ball.mesh.vertices) x = femur * x;
+    AnatomicalFrames frames;
+    frames.femur = femur.transpose();
+    use_frames(joint, frames);
+    Session turned(std::move(joint), Side::right, "RAS");
+    return answer(turned, asked("flexion=90,internal_rotation=40"));
+  };
+  const ResectAnswer upright = cut_of(Eigen::Matrix3d::Identity());
+  const Eigen::Matrix3d femur = Eigen::AngleAxisd(0.4, Vec3(1.0, 0.5, -0.2).normalized()).toRotationMatrix();
+  const ResectAnswer scanned = cut_of(femur);
+  ASSERT_TRUE(upright.deepest && scanned.deepest);
+  EXPECT_GT(upright.depth_mm.low, 0.5);
+  EXPECT_NEAR((*scanned.deepest - femur * *upright.deepest).norm(), 0.0, 1e-6);
+  ASSERT_EQ(upright.mesh.vertices.size(), scanned.mesh.vertices.size());
+  for (std::size_t v = 0; v < upright.mesh.vertices.size(); ++v)
+    ASSERT_NEAR((scanned.mesh.vertices[v] - femur * upright.mesh.vertices[v]).norm(), 0.0, 1e-6) << v;
 }
 
 TEST(SessionResection, SaysWhereTheBallsMeshEnds) {
