@@ -271,6 +271,7 @@ void ResectRequest::check() const {
 
 ResectAnswer answer(Session& session, const ResectRequest& request) {
   request.check();
+  shift_ball(session, Vec3::Zero());
   const SessionJoint& joint = *session.joint;
   if (joint.joint.socket.taken) {  // how thick a wall is, the whole bone says
     Session whole(with_whole_socket(joint.joint), joint.side, joint.joint.axes);
