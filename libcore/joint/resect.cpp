@@ -226,7 +226,10 @@ TurnLimit reached(const SessionJoint& joint, const TurnLimits& cut, Surface of, 
   if (after.low_deg >= leg.largest_deg) return after;
   require_no_part_in_the_way(joint.joint, leg, after);
   throw std::runtime_error("the cut " + std::string(name(of)) + " is not proven to reach " + describe(leg) +
-                           ", but " + rounded_down(after.low_deg, 3) + " degrees; give a larger clearance");
+                           ", but " + rounded_down(after.low_deg, 3) +
+                           (after.state == LimitState::unknown
+                                ? " degrees, where an opening of its mesh leaves it unknown; require less"
+                                : " degrees; give a larger clearance"));
 }
 
 // What is within what: the ends of one hold for the other.
