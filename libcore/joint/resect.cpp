@@ -221,13 +221,13 @@ void require_no_part_in_the_way(const Joint& joint, const RequiredLeg& leg, cons
 TurnLimit reached(const SessionJoint& joint, const TurnLimits& cut, Surface of, const RequiredLeg& leg) {
   const double farthest =
       std::min(leg.largest_deg + kBeyondLeg, largest_growth(leg.start, motion_name(leg.growing)));
-  const TurnLimit after = cut.first_contact(leg.turn, farthest);
+  TurnLimit after = cut.first_contact(leg.turn, farthest);
   if (!joint.joint.ball.taken) require_whole_ball(leg, after);  // else the rest of it is a part
   if (after.low_deg >= leg.largest_deg) return after;
   require_no_part_in_the_way(joint.joint, leg, after);
   throw std::runtime_error("the cut " + std::string(name(of)) + " is not proven to reach " + describe(leg) +
                            ", but " + rounded_down(after.low_deg, 3) +
-                           (after.state == LimitState::unknown
+                           (after.high_deg > leg.largest_deg  // no contact is certain before
                                 ? " degrees, where an opening of its mesh leaves it unknown; require less"
                                 : " degrees; give a larger clearance"));
 }
