@@ -12,6 +12,8 @@ namespace impinge {
 namespace {
 
 constexpr double kClosest = 20.0;  // mm between landmarks of one bone: closer ones do not tell a direction
+// Widths of the knee from it to the hip, of which there are five to nine: farther ones are of another scan.
+constexpr double kFarthest = 20.0;
 
 [[noreturn]] void refuse(const std::string& reason) { throw std::invalid_argument(reason); }
 
@@ -22,6 +24,12 @@ const Vec3& required(const std::optional<Vec3>& point, const std::string& name) 
 
 void require_apart(const Vec3& from, const Vec3& to, const std::string& names) {
   if ((to - from).norm() < kClosest) refuse("the landmarks " + names + " are closer than 20 mm; check them");
+}
+
+// On the line through two others a point tells no plane.
+void require_beside(const Vec3& point, const Vec3& from, const Vec3& to, const std::string& names) {
+  if ((to - from).normalized().cross(point - from).norm() < kClosest)
+    refuse("the landmarks " + names + " lie on one line within 20 mm; check them");
 }
 
 // Rows right, anterior, superior: the first is kept, the third as near as it can be.
@@ -42,20 +50,26 @@ Eigen::Matrix3d upright(const Vec3& right, const Vec3& superior) {
   return rows;
 }
 
-Eigen::Matrix3d pelvis_of(const Landmarks& landmarks, const Eigen::Matrix3d& axes) {
+Eigen::Matrix3d pelvis_of(const Landmarks& landmarks, const Vec3& centre, std::optional<Side> side,
+                          const Eigen::Matrix3d& axes) {
   const Vec3& right = required(landmarks.asis_right, "asis_right");
   const Vec3& left = required(landmarks.asis_left, "asis_left");
   const Vec3 pubis = 0.5 * (required(landmarks.pubic_tubercle_right, "pubic_tubercle_right") +
                             required(landmarks.pubic_tubercle_left, "pubic_tubercle_left"));
   const Vec3 middle = 0.5 * (right + left);
   require_apart(left, right, "asis_left and asis_right");
-  require_apart(pubis, middle, "of the ASIS and of the pubic tubercles");
+  require_beside(pubis, left, right, "of the ASIS and of the pubic tubercles");
   if ((axes * (right - left)).x() <= 0.0 ||
-      (*landmarks.pubic_tubercle_right - *landmarks.pubic_tubercle_left).dot(right - left) <= 0.0)
+      (*landmarks.pubic_tubercle_right - *landmarks.pubic_tubercle_left).dot(right - left) < 0.0)
     refuse(
         "the right landmarks of the pelvis lie to the left of the left ones; check the labels and the axes");
   if ((axes * (middle - pubis)).z() <= 0.0)
     refuse("the ASIS lie below the pubic tubercles; check the labels and the axes");
+  const double lateral = (centre - middle).dot((right - left).normalized());
+  if (side && (*side == Side::right ? lateral : -lateral) < -kClosest)
+    refuse(
+        "the centre of rotation lies on the other side of the middle of both ASIS; check the side and the "
+        "axes, and that landmarks and meshes are of one scan");
   return frame_of(right - left, middle - pubis);
 }
 
@@ -65,7 +79,14 @@ Eigen::Matrix3d femur_of(const Landmarks& landmarks, const Vec3& centre, Side si
   const Vec3& lateral = required(landmarks.epicondyle_lateral, "epicondyle_lateral");
   const Vec3 knee = 0.5 * (medial + lateral);
   require_apart(medial, lateral, "epicondyle_medial and epicondyle_lateral");
-  require_apart(knee, centre, "of the epicondyles and the centre of rotation");
+  require_beside(centre, medial, lateral, "of the epicondyles and the centre of rotation");
+  if ((knee - centre).norm() > kFarthest * (lateral - medial).norm())
+    refuse(
+        "the epicondyles are too far from the centre of rotation for a femur; check that landmarks and "
+        "meshes are of one scan");
+  const Vec3 at = pelvis * (knee - centre);
+  if (at.z() > 0.0 && at.y() < 0.5 * at.z())  // flexed by more than 153 degrees, or extended by 90
+    refuse("the knee lies above the hip, and behind; check the labels and the axes");
   const Vec3 right = side == Side::right ? Vec3(lateral - medial) : Vec3(medial - lateral);
   if (right.dot(pelvis.row(0)) <= 0.0)
     refuse("the lateral epicondyle lies medially; check the labels, the side and the axes");
@@ -89,7 +110,7 @@ Motion motion_of_rotation(const Eigen::Matrix3d& rotation, Side side) {
 AnatomicalFrames anatomical_frames(const Landmarks& landmarks, const Vec3& centre, std::optional<Side> side,
                                    const Eigen::Matrix3d& axes) {
   AnatomicalFrames frames;
-  frames.pelvis = pelvis_of(landmarks, axes);
+  frames.pelvis = pelvis_of(landmarks, centre, side, axes);
   const Vec3 up = axes * frames.pelvis.row(2).transpose();
   frames.pelvic_tilt_deg = std::atan2(up.y(), up.z()) / kDegree;
   if (!landmarks.epicondyle_medial && !landmarks.epicondyle_lateral) return frames;

@@ -179,8 +179,14 @@ LimitsAnswer answer(Session& session, const LimitsRequest& request) {
                            .largest_deg = request.largest_deg,
                            .translation = request.translation.value_or(Vec3::Zero()),
                            .cartilage_mm = request.cartilage_mm};
-    for (LimitAnswer& limit : answer_limits(session, one)) answer.limits.push_back(std::move(limit));
+    try {
+      for (LimitAnswer& limit : answer_limits(session, one)) answer.limits.push_back(std::move(limit));
+    } catch (...) {
+      shift_ball(session, Vec3::Zero());
+      throw;
+    }
   }
+  shift_ball(session, Vec3::Zero());  // other questions are about the joint as it lies
   return answer;
 }
 

@@ -61,6 +61,7 @@ std::optional<NearestFree> nearest_free(const SessionJoint& joint, const Orienta
 
 OrientAnswer answer(Session& session, const OrientRequest& request) {
   request.check();
+  shift_ball(session, Vec3::Zero());
   const SessionJoint& joint = *session.joint;
   if (!joint.side) throw std::invalid_argument("side: an orientation needs to know it; give left or right");
   const CupAsScanned now = as_scanned(joint, request);

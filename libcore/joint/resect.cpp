@@ -12,6 +12,7 @@
 #include "files/formatted.hpp"
 #include "hip/hip_measures.hpp"
 #include "hip/sphere_fit.hpp"
+#include "joint/touch.hpp"
 #include "limits/body_pairs.hpp"
 #include "mesh/triangle_distance.hpp"
 #include "table/near_faces.hpp"
@@ -27,13 +28,14 @@ constexpr CutQuestion kRimQuestion{.closeness = 0.05, .depth_mm = 0.2};
 constexpr std::string_view kNoVolume =
     "the socket is no closed mesh of one orientation, so that it is not known how thick its bone is";
 
-// From the joint frame to that of the meshes.
-Vec3 from_joint_frame(const SessionJoint& joint, const Vec3& x) {
-  return joint.axes.transpose() * x + joint.joint.centre;
+// From the joint frame to that of the files, where the ball lies as scanned: landmarks turn it in the joint.
+Vec3 from_joint_frame(const SessionJoint& joint, Surface of, const Vec3& x) {
+  const Vec3 at = joint.axes.transpose() * x;
+  return (of == Surface::ball ? Vec3(scanned_pose(joint).rotation * at) : at) + joint.joint.centre;
 }
 
-std::string at_place(const SessionJoint& joint, const Vec3& place) {
-  const Vec3 x = from_joint_frame(joint, place);
+std::string at_place(const SessionJoint& joint, Surface of, const Vec3& place) {
+  const Vec3 x = from_joint_frame(joint, of, place);
   return formatted("at (%.1f, %.1f, %.1f)", x.x(), x.y(), x.z());
 }
 
@@ -142,13 +144,14 @@ void require_no_bearing_cut(const SessionJoint& joint, const ResectRequest& requ
   if (cut.of == Surface::ball) {
     if (const auto place = head_cut(cut, ball, other))
       throw std::runtime_error("the cut would reach the bearing surface of the ball " +
-                               at_place(joint, *place) + "; require less, or give a smaller clearance");
+                               at_place(joint, cut.of, *place) +
+                               "; require less, or give a smaller clearance");
     return;
   }
   const TriangleMesh socket = in_joint_frame(joint, joint.main(Surface::socket));
   if (const auto place = socket_cut(cut, ball, socket, request.rim_mm.value_or(kMostRim)))
     throw std::runtime_error("the cut would reach the bearing surface of the socket " +
-                             at_place(joint, *place) + ", more than " +
+                             at_place(joint, cut.of, *place) + ", more than " +
                              rounded_up(request.rim_mm.value_or(kMostRim), 1) +
                              " mm inside its rim; require less, or allow more of the rim to go");
 }
@@ -187,7 +190,7 @@ std::optional<NeckBar> neck_left(const SessionJoint& joint, const ResectRequest&
   const double least = request.neck_mm.value_or(kNeckShare * 2.0 * femur.neck_radius);
   if (after->width < least)
     throw std::runtime_error("the cut would leave a bar of " + rounded_down(after->width, 1) +
-                             " mm about the axis of the neck " + at_place(joint, after->place) +
+                             " mm about the axis of the neck " + at_place(joint, cut.of, after->place) +
                              ", less than " + rounded_up(least, 1) +
                              " mm; require less, or allow a thinner neck");
   return NeckBar{least, before->width, after->width};
@@ -218,12 +221,15 @@ void require_no_part_in_the_way(const Joint& joint, const RequiredLeg& leg, cons
 TurnLimit reached(const SessionJoint& joint, const TurnLimits& cut, Surface of, const RequiredLeg& leg) {
   const double farthest =
       std::min(leg.largest_deg + kBeyondLeg, largest_growth(leg.start, motion_name(leg.growing)));
-  const TurnLimit after = cut.first_contact(leg.turn, farthest);
+  TurnLimit after = cut.first_contact(leg.turn, farthest);
   if (!joint.joint.ball.taken) require_whole_ball(leg, after);  // else the rest of it is a part
   if (after.low_deg >= leg.largest_deg) return after;
   require_no_part_in_the_way(joint.joint, leg, after);
   throw std::runtime_error("the cut " + std::string(name(of)) + " is not proven to reach " + describe(leg) +
-                           ", but " + rounded_down(after.low_deg, 3) + " degrees; give a larger clearance");
+                           ", but " + rounded_down(after.low_deg, 3) +
+                           (after.high_deg > leg.largest_deg  // no contact is certain before
+                                ? " degrees, where an opening of its mesh leaves it unknown; require less"
+                                : " degrees; give a larger clearance"));
 }
 
 // What is within what: the ends of one hold for the other.
@@ -238,7 +244,7 @@ void add_least(const SessionJoint& joint, LeastCut least, ResectAnswer& found) {
   found.least = LeastExtent{least, least.cells.size()};
   found.swept = std::move(least.cells);
   for (LeastCut::Cell& cell : found.swept) {
-    for (Vec3& x : cell.corners) x = from_joint_frame(joint, x);
+    for (Vec3& x : cell.corners) x = from_joint_frame(joint, Surface::ball, x);
   }
 }
 
@@ -246,10 +252,10 @@ void add_cut(const SessionJoint& joint, Resection cut, ResectAnswer& found) {
   static_cast<CutSize&>(found) = cut;
   found.surface = cut.of;
   if (!known_ends(found.volume_mm3)) found.volume_why = kNoVolume;
-  if (!cut.empty()) found.deepest = from_joint_frame(joint, cut.before.vertices[cut.deepest]);
+  if (!cut.empty()) found.deepest = from_joint_frame(joint, cut.of, cut.before.vertices[cut.deepest]);
   found.mesh_volume_mm3 = cut.cut_mm3;
   found.mesh = std::move(cut.cut);
-  for (Vec3& x : found.mesh.vertices) x = from_joint_frame(joint, x);
+  for (Vec3& x : found.mesh.vertices) x = from_joint_frame(joint, cut.of, x);
   found.depth = std::move(cut.depth);
 }
 
@@ -268,6 +274,7 @@ void ResectRequest::check() const {
 
 ResectAnswer answer(Session& session, const ResectRequest& request) {
   request.check();
+  shift_ball(session, Vec3::Zero());
   const SessionJoint& joint = *session.joint;
   if (joint.joint.socket.taken) {  // how thick a wall is, the whole bone says
     Session whole(with_whole_socket(joint.joint), joint.side, joint.joint.axes);

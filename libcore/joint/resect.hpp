@@ -148,7 +148,7 @@ struct ResectAnswer : CutSize {
   std::optional<LeastExtent> least;
   std::optional<NeckBar> neck;
   std::vector<ResectLeg> legs;
-  // Frame of the meshes, mm:
+  // Frame of the meshes, mm, the ball as scanned also where landmarks turn it in the joint:
   TriangleMesh mesh;                  // of the bone that is left
   std::vector<double> depth;          // of each vertex, along its ray
   std::vector<LeastCut::Cell> swept;  // what may have to go in the least cut of all

@@ -123,6 +123,7 @@ TouchAnswer touch_in(SessionJoint& joint, const Pose& pose) {
 }
 
 TouchAnswer answer(Session& session, const TouchRequest& request) {
+  shift_ball(session, Vec3::Zero());
   const Pose pose = pose_of(*session.joint, request.pose);
   TouchAnswer found = touch_in(*session.joint, pose);
   found.nearest_part = nearest_part(*session.joint, pose);

@@ -257,6 +257,7 @@ class Frames(unittest.TestCase):
 
     def test_landmarks_that_cannot_be_used_are_refused(self):
         swapped = dict(STANDING, asis_right=STANDING["asis_left"], asis_left=STANDING["asis_right"])
+        pelvis = {label: at for label, at in STANDING.items() if "epicondyle" not in label}
         for name, landmarks, said in (
             ("missing", {k: v for k, v in STANDING.items() if k != "asis_left"}, "the landmark asis_left is missing; mark it"),
             ("one", {k: v for k, v in STANDING.items() if k != "epicondyle_medial"},
@@ -269,6 +270,17 @@ class Frames(unittest.TestCase):
              "the landmarks epicondyle_medial and epicondyle_lateral are closer than 20 mm; check them"),
             ("inside", dict(STANDING, epicondyle_medial=(40, 0, -400), epicondyle_lateral=(-40, 0, -400)),
              "the lateral epicondyle lies medially; check the labels, the side and the axes"),
+            ("line", dict(pelvis, asis_left=(-210, 45, 25), pubic_tubercle_right=(-300, 45, 7), pubic_tubercle_left=(-350, 45, -3)),
+             "the landmarks of the ASIS and of the pubic tubercles lie on one line within 20 mm; check them"),
+            ("axis", dict(STANDING, epicondyle_medial=(0, 0, -400), epicondyle_lateral=(1, 0, -350)),
+             "the landmarks of the epicondyles and the centre of rotation lie on one line within 20 mm; check them"),
+            ("elsewhere", {k: np.array(at) + (1e4, -1e4, 1e4) for k, at in STANDING.items() if "asis" not in k and "pubic" not in k} | pelvis,
+             "the epicondyles are too far from the centre of rotation for a femur; check that landmarks and meshes are of one scan"),
+            ("other hip", {k: np.array(at) + (170, 0, 0) for k, at in pelvis.items()},
+             "the centre of rotation lies on the other side of the middle of both ASIS; check the side and the axes, and that "
+             "landmarks and meshes are of one scan"),
+            ("knee up", dict(STANDING, epicondyle_medial=(-40, 0, 400), epicondyle_lateral=(40, 0, 400)),
+             "the knee lies above the hip, and behind; check the labels and the axes"),
         ):
             with self.subTest(name):
                 ball, socket, points = self.posed(name, landmarks, np.eye(3), np.eye(3))

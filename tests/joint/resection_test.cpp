@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a cut of a user's ball, or socket, is refused; what it leaves: tests/motion,
 // tests/e2e/test_frames.py.
+#include <algorithm>
 #include <utility>
+#include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "hip/hip.hpp"
@@ -93,6 +96,28 @@ TEST(SessionResection, SaysThatTheBonesTouchBeforeAnyMotion) {
   Session session(std::move(joint), Side::right, "RAS");
   EXPECT_EQ(thrown<std::runtime_error>([&] { answer(session, asked("flexion=30")); }).substr(0, 49),
             "the ball meets the socket in the pose of the scan");
+}
+
+// Landmarks turn the ball back from where it was scanned; the cut goes along rays of the scan.
+TEST(SessionResection, LiesInTheFrameOfTheFilesWhereLandmarksTurnTheBall) {
+  Joint joint = scanned_hip(hip_preset("cam"), 800).joint->joint;
+  const Eigen::Matrix3d femur = Eigen::AngleAxisd(0.4, Vec3(1.0, 0.5, -0.2).normalized()).toRotationMatrix();
+  for (Vec3& x : joint.ball.mesh.vertices) x = femur * x;
+  const std::vector<Vec3> scanned = joint.ball.mesh.vertices;
+  AnatomicalFrames frames;
+  frames.femur = femur.transpose();
+  use_frames(joint, frames);
+  Session session(std::move(joint), Side::right, "RAS");
+  const ResectAnswer cut = answer(session, asked("flexion=90,internal_rotation=40"));
+  double deepest = 0.0;
+  for (std::size_t v = 0; v < scanned.size(); ++v) {
+    deepest = std::max(deepest, cut.depth[v]);
+    const Vec3 before = cut.mesh.vertices[v] + cut.depth[v] * scanned[v].normalized();
+    ASSERT_LT((before - scanned[v]).norm(), 1e-6) << v;
+  }
+  EXPECT_GT(deepest, 0.1);
+  const auto on_ray = [&](const Vec3& x) { return cut.deepest->cross(x).norm() < 1e-6 * x.squaredNorm(); };
+  EXPECT_TRUE(std::any_of(cut.mesh.vertices.begin(), cut.mesh.vertices.end(), on_ray));
 }
 
 TEST(SessionResection, SaysWhereTheBallsMeshEnds) {

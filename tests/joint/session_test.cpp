@@ -3,11 +3,14 @@
 #include "joint/session.hpp"
 
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include <gtest/gtest.h>
 
+#include "joint/limits.hpp"
 #include "joint/pose_answer.hpp"
+#include "joint/touch.hpp"
 #include "mesh/generated_pair.hpp"
 
 namespace impinge {
@@ -70,6 +73,21 @@ TEST(Session, AShiftIsTakenBack) {
   const GapsAnswer shifted = answer_pose(session, {{}, Vec3(0.0, 0.0, 1.0), 4.0});
   EXPECT_NEAR(shifted.smallest_gap->gap_mm, before.smallest_gap->gap_mm - 1.0, 0.3);
   EXPECT_EQ(known(answer_pose(session, {}).socket.gap), known(before.socket.gap));
+}
+
+// Whatever was asked before, or refused: abduction needs a side.
+TEST(Session, AShiftIsOfOneQuestion) {
+  Session session = session_with_strays();
+  const double gap = answer(session, TouchRequest()).smallest_gap->gap_mm;
+  const Vec3 shift(0.0, 0.0, 1.0);
+  const LimitsAnswer limits = answer(session, LimitsRequest{{"flexion"}, {}, 10.0, shift});
+  EXPECT_EQ(limits.limits[0].centre_of_rotation, shift);
+  EXPECT_TRUE(session.joint->shift.isZero(0.0));
+  EXPECT_THROW(answer(session, LimitsRequest{{"abduction"}, {}, 10.0, shift}), std::invalid_argument);
+  EXPECT_TRUE(session.joint->shift.isZero(0.0));
+  fill_tables(session, {.scheme = "cube_gnomonic", .precision_deg = 4.0});
+  answer_pose(session, {{}, shift, 4.0});
+  EXPECT_EQ(answer(session, TouchRequest()).smallest_gap->gap_mm, gap);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrays.hpp"
 
+#include "joint/touch.hpp"
 #include "joint/volume_map.hpp"
 
 namespace impinge {
@@ -23,9 +24,11 @@ void add_arrays(const SessionJoint& joint, const VolumeAnswer& found, val& reply
 }
 
 void add_arrays(const SessionJoint& joint, const ResectAnswer& found, val& reply) {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // the ball is drawn as landmarks have turned it
+  if (found.surface == Surface::ball) turn = scanned_pose(joint).rotation.transpose();
   std::vector<Vec3> places;
   places.reserve(found.mesh.vertices.size());
-  for (const Vec3& x : found.mesh.vertices) places.emplace_back(x - joint.joint.centre);
+  for (const Vec3& x : found.mesh.vertices) places.emplace_back(turn * (x - joint.joint.centre));
   std::vector<std::uint32_t> corners;
   for (const Face& face : found.mesh.faces) corners.insert(corners.end(), face.begin(), face.end());
   reply.set("positions", float_array(places));
