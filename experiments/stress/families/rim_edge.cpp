@@ -64,7 +64,7 @@ std::vector<StabilityCase> run_rim_edge(const StabilityRun& run) {
     if (angle * kAimedRadius < kSide) scenes.push_back(beside_entries(angle, run.quick ? 3 : 12));
     return scenes;
   };
-  return sweep(kRimEdgeAngles, scenes_at, run);
+  return sweep(kRimEdgeAngles, scenes_at, run, Flaw::loose_edges);
 }
 
 }  // namespace
@@ -79,6 +79,7 @@ StabilityFamily rim_edge_family() {
       kRadiusThreshold,
       kRadiusDerivation,
       {6.1, 0.88},
+      describe(Flaw::loose_edges),
       run_rim_edge};
 }
 
