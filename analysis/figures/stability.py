@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      stability-overview
-# @question  Which methods hold in stiff and extreme cases, which fail, and which say nothing?
+# @question  Which methods hold in stiff cases (condition number above 1000) and extreme ones (parameter within 1e-6 of a place where the answer jumps), which fail, and which say nothing?
 # @data      stability stability_detail stability_families
 """Stiff and extreme cases: a row a family, a column a method; whether it holds, fails or says nothing, with numbers."""
 
@@ -57,7 +57,7 @@ def main(options) -> common.Figure:
     axes.grid(False)
     for side in axes.spines.values():
         side.set_visible(False)
-    axes.legend(handles=legend(), loc="upper left", bbox_to_anchor=(-0.15, -0.01), ncols=3, handlelength=1.2, columnspacing=1.2)
+    axes.legend(handles=legend(), loc="upper left", bbox_to_anchor=(-0.2, -0.01), ncols=3, handlelength=1.2, columnspacing=1.2)
     return figure
 
 
@@ -70,8 +70,8 @@ def draw_cell(axes: plt.Axes, column: int, row: float, counts: pd.Series) -> Non
 
 
 def percent(part: int, of: int) -> str:
-    """Rounded up where it is less than one."""
-    return f"{100 * part / of:.0f} %" if 100 * part >= of else "< 1 %"
+    """Of all, of so many in a hundred, or of less than one."""
+    return "all" if part == of else f"{100 * part / of:.0f} %" if 100 * part >= of else "< 1 %"
 
 
 def short(count: int) -> str:
@@ -82,9 +82,9 @@ def short(count: int) -> str:
 def legend() -> list:
     """The three colours."""
     return [
-        Patch(color=HOLDS, label="holds: all right, of so many"),
-        Patch(color=SILENT, label="withheld: none wrong, so many say nothing"),
-        Patch(color=FAILS, label="fails: so many are wrong"),
+        Patch(color=HOLDS, label="holds: each of so many answers is right"),
+        Patch(color=SILENT, label="withheld: none is wrong, this share is left open"),
+        Patch(color=FAILS, label="fails: this share is wrong"),
     ]
 
 

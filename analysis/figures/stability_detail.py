@@ -14,7 +14,7 @@ from common import stability
 
 LOOKS = {0.1: ("0.1°", "#0072B2", "o"), 1.0: ("1°", "#D55E00", "s")}
 RADIUS_UM = 20e3  # of the point that is aimed at, stress/shapes.hpp
-NONE, ALL = "#CFE8F5", "#A5300B"
+SEEN, OPEN, MISSED = "#CFE8F5", "#FBE3A5", "#A5300B"
 
 
 def main(options) -> common.Figure:
@@ -39,21 +39,21 @@ def near_tangent(axes: plt.Axes, cases: pd.DataFrame) -> None:
     axes.plot(exact.slope, exact.relative_error * RADIUS_UM, color="black", marker="*", label="error, exact")
     axes.set(xscale="log", yscale="log", xlabel="tan ψ", ylabel="µm at a radius of 20 mm")
     axes.set_title("A ray that almost runs along the surface", fontsize=common.SMALL + 1)
-    axes.legend(loc="lower right", fontsize=common.SMALL)
+    axes.legend(loc="upper left", bbox_to_anchor=(0.2, 1.02), fontsize=common.SMALL)
 
 
 def missed(axes: plt.Axes, cases: pd.DataFrame) -> None:
     """A row a method, a column an angle."""
     rows = methods(cases)
     angles = list(rows[0][1].index)
-    for at, (_, lost, asked) in enumerate(rows):
+    for at, (name, lost, asked) in enumerate(rows):
         for column, angle in enumerate(angles):
             share = lost[angle] / asked[angle]
-            look = {"facecolor": ALL, "alpha": 0.3 + 0.7 * share} if share else {"facecolor": NONE}
-            axes.add_patch(Rectangle((column + 0.03, at + 0.06), 0.94, 0.88, linewidth=0, **look))
+            colour = SEEN if not share else MISSED if "steps" in name else OPEN
+            axes.add_patch(Rectangle((column + 0.03, at + 0.06), 0.94, 0.88, linewidth=0, facecolor=colour))
             if share:
-                said = f"{100 * share:.0f} %"
-                axes.text(column + 0.5, at + 0.53, said, ha="center", va="center", fontsize=common.SMALL, color="white" if share > 0.4 else "black")
+                said = "all" if share == 1 else f"{100 * share:.0f} %"
+                axes.text(column + 0.5, at + 0.53, said, ha="center", va="center", fontsize=common.SMALL, color="white" if colour == MISSED else "black")
     axes.set(xlim=(0, len(angles)), ylim=(len(rows), 0))
     axes.set_yticks(np.arange(len(rows)) + 0.5, [name for name, *_ in rows])
     axes.set_xticks(np.arange(len(angles)) + 0.5, [f"$10^{{{np.log10(angle):.0f}}}$" for angle in angles])
@@ -62,7 +62,7 @@ def missed(axes: plt.Axes, cases: pd.DataFrame) -> None:
     for side in axes.spines.values():
         side.set_visible(False)
     axes.set_xlabel("half of the angle for which the contact lasts, degrees", fontsize=common.SMALL)
-    axes.set_title("Contacts along a face that are not seen", fontsize=common.SMALL + 1)
+    axes.set_title("Contacts along a face that are missed (red)\nor left open (yellow)", fontsize=common.SMALL + 1)
 
 
 def methods(cases: pd.DataFrame) -> list[tuple[str, pd.Series, pd.Series]]:

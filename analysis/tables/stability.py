@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      stability-summary
-# @question  Which ill-conditioned and extreme cases break a method?
+# @question  Which stiff cases (condition number above 1000) and extreme ones (parameter within 1e-6 of a place where the answer jumps or is not defined) break a method, and is a mutation of the method noticed?
 # @data      stability stability_detail stability_families
 """Stiff and extreme cases, a row a family: how far ours and the others are off, and how often they fail."""
 

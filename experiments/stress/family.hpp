@@ -9,10 +9,10 @@
 // is worked out from the operations of the algorithm, before anything is measured, and is the threshold. It
 // covers the worst of all inputs, and so lies far above what is measured; that has a limit of its own.
 //
-// Stiff is a case with a condition number above 1000: 1 + tan psi of a radius, psi between ray and normal (dr /
-// d angle = r tan psi), R / (|d distance / d angle| angle) of a first contact, R / distance of bones that pass
-// one another. Extreme is a case with a smaller one whose parameter is within 1e-6 of a place where the answer
-// jumps or is not defined, or beyond it.
+// Stiff is a case with a condition number above 1000: 1 + tan psi of a radius, psi between ray and normal (dr
+// / d angle = r tan psi), R / (|d distance / d angle| angle) of a first contact, R / distance of bones that
+// pass one another. Extreme is a case with a smaller one whose parameter is within 1e-6 of a place where the
+// answer jumps or is not defined, or beyond it.
 #pragma once
 
 #include <array>
