@@ -141,55 +141,63 @@ BallSocketPair with_skin(BallSocketPair bones, double skin_mm) {
   return bones;
 }
 
-void add_limits(std::vector<StabilityCase>& rows, double magnitude, std::span<const KnownTurn> turns) {
-  StabilityCase exact = blank(magnitude, "first_contact", "ours");
-  StabilityCase mutated = blank(magnitude, "mutated", "mutated");
-  for (const KnownTurn& known : turns) {
+// The rows of one magnitude, to which each turn adds; libraries follow.
+struct Rows {
+  explicit Rows(double magnitude)
+      : at(magnitude),
+        exact(blank(magnitude, "first_contact", "ours")),
+        mutated(blank(magnitude, "mutated", "mutated")),
+        exact_poses(blank(magnitude, "exact_test", "ours")),
+        cgal(blank(magnitude, "cgal_pairs", "library")) {
+    for (const double step : kTurnSteps) {
+      faces.push_back(blank(magnitude, "exact_test_in_steps", "steps", step));
+      vertices.push_back(blank(magnitude, "vertex_gaps_in_steps", "thesis", step));
+    }
+  }
+
+  void add(const KnownTurn& known) {
     judge_limit(exact, known, TurnLimits(known.bones).first_contact(known.turn, known.largest_deg));
     judge_limit(mutated, known,
                 TurnLimits(with_skin(known.bones, kSkin)).first_contact(known.turn, known.largest_deg));
-  }
-  rows.insert(rows.end(), {exact, mutated});
-}
-
-void add_steps(std::vector<StabilityCase>& rows, double magnitude, std::span<const KnownTurn> turns) {
-  for (const double step : kTurnSteps) {
-    StabilityCase faces = blank(magnitude, "exact_test_in_steps", "steps", step);
-    StabilityCase vertices = blank(magnitude, "vertex_gaps_in_steps", "thesis", step);
-    for (const KnownTurn& known : turns) {
-      judge_steps(faces, known, exact_test(known.bones));
-      const CulledJoint joint(known.bones);
-      judge_steps(vertices, known, [&joint](const Pose& pose) { return joint.impinged(pose).has_value(); });
+    const PoseTest meet = exact_test(known.bones);
+    const CulledJoint joint(known.bones);
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+      judge_steps(faces[k], known, meet);
+      judge_steps(vertices[k], known,
+                  [&joint](const Pose& pose) { return joint.impinged(pose).has_value(); });
     }
-    rows.insert(rows.end(), {faces, vertices});
-  }
-}
-
-void add_poses(std::vector<StabilityCase>& rows, double magnitude, std::span<const KnownTurn> turns) {
-  StabilityCase exact = blank(magnitude, "exact_test", "ours");
-  StabilityCase cgal = blank(magnitude, "cgal_pairs", "library");
-  std::vector<StabilityCase> libraries;
-  for (const KnownTurn& known : turns) {
-    judge_poses(exact, known, exact_test(known.bones));
+    judge_poses(exact_poses, known, meet);
     judge_poses(cgal, known, cgal_test(known.bones));
     std::size_t k = 0;
     for (const ContactCase& one : cases_of(steps_methods(), &Method::steps, known.bones)) {
-      if (k == libraries.size()) libraries.push_back(blank(magnitude, one.name, "library"));
+      if (k == libraries.size()) libraries.push_back(blank(at, one.name, "library"));
       judge_poses(libraries[k++], known, one.make().touches);
     }
   }
-  rows.insert(rows.end(), {exact, cgal});
-  rows.insert(rows.end(), libraries.begin(), libraries.end());
-}
+
+  std::vector<StabilityCase> all() const {
+    std::vector<StabilityCase> rows{exact, mutated, exact_poses, cgal};
+    for (const auto* more : {&faces, &vertices, &libraries})
+      rows.insert(rows.end(), more->begin(), more->end());
+    return rows;
+  }
+
+  double at;
+  StabilityCase exact;
+  StabilityCase mutated;
+  StabilityCase exact_poses;
+  StabilityCase cgal;
+  std::vector<StabilityCase> faces;
+  std::vector<StabilityCase> vertices;
+  std::vector<StabilityCase> libraries;
+};
 
 }  // namespace
 
 std::vector<StabilityCase> judge_turns(double magnitude, std::span<const KnownTurn> turns) {
-  std::vector<StabilityCase> rows;
-  add_limits(rows, magnitude, turns);
-  add_steps(rows, magnitude, turns);
-  add_poses(rows, magnitude, turns);
-  return rows;
+  Rows rows(magnitude);
+  for (const KnownTurn& known : turns) rows.add(known);
+  return rows.all();
 }
 
 std::vector<StabilityCase> over_turns(std::span<const double> magnitudes, const StabilityRun& run,
@@ -197,7 +205,7 @@ std::vector<StabilityCase> over_turns(std::span<const double> magnitudes, const 
   std::vector<StabilityCase> rows;
   for (const double magnitude : magnitudes) {
     std::vector<KnownTurn> turns;
-    for (std::size_t k = 0; k < (run.quick ? 12U : 60U); ++k) turns.push_back(turn_at(k, magnitude));
+    for (std::size_t k = 0; k < (run.quick ? 9U : 60U); ++k) turns.push_back(turn_at(k, magnitude));
     const std::vector<StabilityCase> judged = judge_turns(magnitude, turns);
     rows.insert(rows.end(), judged.begin(), judged.end());
   }

@@ -57,7 +57,7 @@ Slide known_slide(std::size_t k, double angle, double octahedron_radius);
 // test of a pose in the deepest one and just before the contact.
 std::vector<StabilityCase> judge_turns(double magnitude, std::span<const KnownTurn> turns);
 
-// Of turn_at(k, magnitude) for 12 or 60 k, at each magnitude.
+// Of turn_at(k, magnitude) for 9 or 60 k, at each magnitude.
 std::vector<StabilityCase> over_turns(std::span<const double> magnitudes, const StabilityRun& run,
                                       const std::function<KnownTurn(std::size_t, double)>& turn_at);
 

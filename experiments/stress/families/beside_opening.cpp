@@ -32,7 +32,8 @@ StabilityFamily beside_opening_family() {
   return {"beside_opening",
           "distance of a contact from the border of a mesh",
           "mm",
-          "The contact is found up to the border; a table answers nothing in a cell that the border crosses.",
+          "The contact is found up to the border, or told to be unknown where the tip is through the opening "
+          "within 1e-9 mm; a table answers nothing in a cell that the border crosses.",
           kRadiusThreshold,
           kRadiusDerivation,
           {1.2, 0.28},

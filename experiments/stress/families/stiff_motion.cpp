@@ -74,7 +74,8 @@ void judge_contact(const StabilityMethod& method, const PointQuery& answering, c
 // The exact radius, less than which a gap of a tolerance counts as contact.
 StabilityMethod tolerant_octahedron() {
   StabilityMethod method;
-  method.maker.name = method.maker.kind = "mutated";
+  method.maker.name = "mutated_gaps";
+  method.maker.kind = "mutated";
   method.maker.make = [] {
     return one_by_one(
         [](const Vec3& x) { return octahedron_mesh_radius(x.normalized(), kStiffMotionRadius) - 1e-6; }, 0.0);
