@@ -78,6 +78,14 @@ void add_case(const StabilityFamily& family, const StabilityCase& c, StabilityTa
               c.kind == "mutated" ? kNotMeasured : c.bound_um}));
 }
 
+// Largest error over condition and unit roundoff; NaN without a case.
+double worst_of_ours(const std::vector<StabilityCase>& cases, Scalar scalar) {
+  double worst = kNotMeasured;
+  for (const StabilityCase& c : cases)
+    if (c.kind == "ours" && c.scalar == scalar) worst = std::fmax(worst, c.error_over_condition_u);
+  return worst;
+}
+
 // Of cases that are wrong on purpose.
 std::size_t noticed(const std::vector<StabilityCase>& cases) {
   return static_cast<std::size_t>(std::ranges::count_if(cases, [](const StabilityCase& c) {
@@ -106,8 +114,16 @@ std::vector<StabilityCase> worse_of(std::vector<StabilityCase> a, const std::vec
   return a;
 }
 
-std::vector<std::string> broken(const StabilityFamily& family, const std::vector<StabilityCase>& cases) {
+std::vector<std::string> broken(const StabilityFamily& family, const std::vector<StabilityCase>& cases,
+                                double least_share_of_seen) {
   std::vector<std::string> lines;
+  for (const Scalar scalar : {Scalar::float64, Scalar::float32}) {
+    const double worst = worst_of_ours(cases, scalar);
+    const double seen = family.seen.at(scalar == Scalar::float64 ? 0 : 1);
+    if (worst < least_share_of_seen * seen)
+      lines.push_back(family.name + ": `seen` in " + std::string(name_of(scalar)) + " is above the worst, " +
+                      std::to_string(worst));
+  }
   if (noticed(cases) == 0)
     lines.push_back(family.name + ": no case notices the mutation, " + family.mutation);
   for (const StabilityCase& c : cases) {
@@ -193,7 +209,7 @@ void run_family(const StabilityFamily& family, const StabilityRun& run, Stabilit
   }
   if (magnitudes.size() < kLeastMagnitudes)
     throw std::logic_error("family " + family.name + " has fewer than 5 magnitudes: add some");
-  const std::vector<std::string> lines = broken(family, cases);
+  const std::vector<std::string> lines = broken(family, cases, run.quick ? kQuickShareOfSeen : 1.0);
   tables.broken.insert(tables.broken.end(), lines.begin(), lines.end());
   tables.families.add_row({family.name, family.parameter, family.unit, magnitudes.size(), family.expected,
                            family.threshold, family.derivation, family.seen[0], family.seen[1],

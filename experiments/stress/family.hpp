@@ -107,9 +107,14 @@ struct StabilityFamily {
 // All families, in alphabetical order of their names.
 std::vector<StabilityFamily> stability_families();
 
+// A quick run asks less, and may see less than a full one, whose worst is `seen`.
+inline constexpr double kQuickShareOfSeen = 0.8;
+
 // What makes the run fail, one line each: a failure of ours, a bound that does not hold, an error of more
-// than twice what was seen, or a mutation that does not fail.
-std::vector<std::string> broken(const StabilityFamily& family, const std::vector<StabilityCase>& cases);
+// than twice what was seen, a mutation that does not fail, or `seen` so far above the worst of this run that
+// the worst is less than that share of it.
+std::vector<std::string> broken(const StabilityFamily& family, const std::vector<StabilityCase>& cases,
+                                double least_share_of_seen = kQuickShareOfSeen);
 
 // What the families come to, as tables.
 

@@ -73,8 +73,10 @@ KnownTurn about(std::size_t k, BallSocketPair bones, double start) {
 }
 
 double number(std::size_t k) { return static_cast<double>(k); }
-double radius(std::size_t k) { return 30.0 + 0.37 * number(k); }               // mm
-double begin(std::size_t k) { return (25.31 + 1.137 * number(k)) * kDegree; }  // radians
+double radius(std::size_t k) { return 30.0 + 0.37 * number(k); }  // mm
+// radians; spread over 23 degrees, and over steps of a tenth of one
+double spread(std::size_t k) { return std::fmod(1.137 * number(k), 23.0) * kDegree; }
+double begin(std::size_t k) { return 25.31 * kDegree + spread(k); }
 
 }  // namespace
 
@@ -137,7 +139,7 @@ KnownTurn tip_beside_opening(std::size_t k, double beside_mm) {
   const double last = ahead ? 28.0 * scale : 20.0 * scale + beside_mm;
   const TriangleMesh sheet{{{first, y, -8.0}, {last, y, -8.0}, {last, y, 8.0}, {first, y, 8.0}},
                            {{0, 1, 2}, {0, 2, 3}}};
-  const double start = 1.137 * number(k) * kDegree;
+  const double start = spread(k);
   KnownTurn known = about(
       k,
       {tetrahedron({r, 0.0, 0.0}, {r - 6.0, 1.0, -1.0}, {r - 6.0, -1.0, -1.0}, {r - 6.0, 0.0, 1.0}), sheet},

@@ -8,6 +8,7 @@
 // condition of a distance d at which bones pass one another is R / d.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -24,7 +25,7 @@ namespace impinge::lab {
 inline constexpr double kTurnThreshold = 40.0;
 inline constexpr const char* kTurnDerivation =
     "20 u R of a turned vertex, of either bone, over what their distance loses a radian";
-inline constexpr double kTurnSteps[] = {1.0, 0.1};  // degrees, of those that pose after pose is asked
+inline constexpr std::array kTurnSteps{1.0, 0.1};  // degrees, of those that pose after pose is asked
 
 struct KnownTurn {
   BallSocketPair bones;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -76,14 +77,32 @@ struct InverseDepths {
   }
 };
 
+// A face as it is seen: the unit normals of the planes through its edges, inwards, and its largest tan psi.
+struct SeenFace {
+  explicit SeenFace(const TriangleCone& cone) : slope(cone.edge_on() ? kInfinity : cone.largest_slope()) {
+    for (std::size_t k = 0; k < 3; ++k)
+      inward[k] = (cone.corners()[k].cross(cone.corners()[(k + 1) % 3])).stableNormalized();
+    if (cone.side() < 0) std::ranges::transform(inward, inward.begin(), std::negate{});
+    if (!cone.edge_on()) return;
+    // A face in a plane with the centre: near that plane.
+    const Vec3 across = inward[0].isZero() ? inward[1] : inward[0];
+    inward = {across, -across, across};
+  }
+  // No direction of a convex cone within an angle of u is on the other side of a plane by more than its sine.
+  bool may_be_within(const Vec3& u, double sine) const {
+    return std::ranges::all_of(inward, [&](const Vec3& n) { return n.dot(u) >= -sine; });
+  }
+  std::array<Vec3, 3> inward;
+  double slope;
+};
+
 // Largest tan psi of the faces that come within `reach` radians of x, and perhaps of others.
-double slope_near(const std::vector<TriangleCone>& cones, const Vec3& x, double reach) {
+double slope_near(const std::vector<SeenFace>& faces, const Vec3& x, double reach) {
   const Vec3 u = x.stableNormalized();
-  const double beside = -std::sin(std::min(reach, 1.5)) - 1e-12;
+  const double sine = std::sin(std::min(reach, 1.5)) + 1e-12;
   double slope = 0.0;
-  for (const TriangleCone& cone : cones) {
-    if (cone.edge_on() || cone.least_edge_distance(u.x(), u.y(), u.z()) >= beside)
-      slope = std::max(slope, cone.edge_on() ? kInfinity : cone.largest_slope());
+  for (const SeenFace& face : faces) {
+    if (face.may_be_within(u, sine)) slope = std::max(slope, face.slope);
   }
   return slope;
 }
@@ -99,7 +118,7 @@ void insert(const S& scheme, std::span<const Vec3> directions, EntrySet& entries
 
 template <class Way, class S>
 WorkingTable read(const S& scheme, double precision_deg, const PartialTable& table,
-                  const std::vector<TriangleCone>& cones, std::span<const Vec3> directions) {
+                  const std::vector<SeenFace>& seen, std::span<const Vec3> directions) {
   WorkingTable result{std::string(S::name) + Way::kSuffix, precision_deg, scheme.stencil_radius(), {}, {}};
   const double reach = scheme.stencil_radius() + direction_doubt(scheme);
   for (const Vec3& x : directions) {
@@ -111,7 +130,7 @@ WorkingTable read(const S& scheme, double precision_deg, const PartialTable& tab
                   scheme, taps, [&](std::size_t entry) { return table.radius_of(entry); }, x);
     result.answers.push_back(answer);
     // The path from x to a tap stays within the reach of it: faces within two of x are all that count.
-    const double share = std::isnan(answer) ? 0.0 : Way::share(slope_near(cones, x, 2.0 * reach), reach);
+    const double share = std::isnan(answer) ? 0.0 : Way::share(slope_near(seen, x, 2.0 * reach), reach);
     result.bounds.push_back(share > 1.0 ? kInfinity : answer * share);
   }
   return result;
@@ -120,8 +139,8 @@ WorkingTable read(const S& scheme, double precision_deg, const PartialTable& tab
 }  // namespace
 
 std::vector<WorkingTable> working_tables(const TriangleMesh& mesh, std::span<const Vec3> directions) {
-  std::vector<TriangleCone> cones;
-  for (const Face& face : mesh.faces) cones.push_back(cone_of(mesh, face));
+  std::vector<SeenFace> seen;
+  for (const Face& face : mesh.faces) seen.emplace_back(cone_of(mesh, face));
   const NearFaces faces(mesh, 0.0);
   std::vector<WorkingTable> tables;
   for (const double precision : kWorkingPrecisions) {
@@ -135,9 +154,9 @@ std::vector<WorkingTable> working_tables(const TriangleMesh& mesh, std::span<con
       entries.number();
       const PartialTable table =
           fill_partial(faces, AnyScheme(S::name, precision), std::move(entries), BenchmarkScene::kLayer);
-      tables.push_back(read<Radii>(*scheme, precision, table, cones, directions));
+      tables.push_back(read<Radii>(*scheme, precision, table, seen, directions));
       if constexpr (PlaneExactScheme<S>)
-        tables.push_back(read<InverseDepths>(*scheme, precision, table, cones, directions));
+        tables.push_back(read<InverseDepths>(*scheme, precision, table, seen, directions));
     });
   }
   return tables;

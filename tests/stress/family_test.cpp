@@ -105,6 +105,15 @@ TEST(StabilityFamilies, SoDoesAnErrorOfMoreThanTwiceWhatWasSeen) {
   EXPECT_TRUE(broken(family_of(cases), cases).empty());
 }
 
+TEST(StabilityFamilies, SoDoesASeenThatNoRunCameNear) {
+  StabilityFamily family = family_of({});
+  family.seen = {0.7, 0.25};
+  const auto lines = broken(family, clean_cases());
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0], "some_family: `seen` in double is above the worst, 0.500000");
+  EXPECT_TRUE(broken(family, clean_cases(), 0.5).empty()) << "as a smaller run may";
+}
+
 TEST(StabilityFamilies, SoDoesAMutationThatNoCaseNotices) {
   std::vector<StabilityCase> cases = clean_cases();
   cases.back().wrong = 0;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
+#include "mesh/icosphere.hpp"
 #include "reference/exact_radius.hpp"
 #include "sphere/schemes/cube_gnomonic.hpp"
 #include "sphere/schemes/rsid.hpp"
@@ -59,6 +60,23 @@ TEST(WorkingTables, KeepTheirBounds) {
     }
   }
   EXPECT_GT(close, 10U) << "a bound a twentieth as large would not be kept";
+}
+
+// The centre is 2 um from a corner: faces are seen over half of the sphere, and their sizes say nothing.
+TEST(WorkingTables, KeepTheirBoundsWhereTheCentreIsNearTheSurface) {
+  TriangleMesh mesh = icosphere(22.0, 1);
+  const Vec3 corner = mesh.vertices[7];
+  for (Vec3& x : mesh.vertices) x -= 0.9999 * corner;
+  std::vector<Vec3> directions;
+  for (const Vec3& aside : test::random_directions(200, 6))
+    directions.push_back((corner.normalized() + 0.3 * aside).normalized());
+  const std::vector<double> truth = exact_radii(mesh, {directions, Layer::nearest, {}});
+  for (const WorkingTable& table : working_tables(mesh, directions)) {
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      if (std::isnan(table.answers[i])) continue;
+      EXPECT_LE(std::abs(table.answers[i] - truth[i]), table.bounds[i]) << table.name;
+    }
+  }
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ StabilityFamily grazing_turn_family() {
           "1e-12 of the radius it may be told to be unknown.",
           kTurnThreshold,
           kTurnDerivation,
-          {0.7, 0.0},
+          {1.4, 0.0},
           kTurnMutation,
           run_grazing_turn};
 }
