@@ -108,7 +108,7 @@ struct StabilityFamily {
 std::vector<StabilityFamily> stability_families();
 
 // A quick run asks less, and may see less than a full one, whose worst is `seen`.
-inline constexpr double kQuickShareOfSeen = 0.8;
+inline constexpr double kQuickShareOfSeen = 0.5;
 
 // What makes the run fail, one line each: a failure of ours, a bound that does not hold, an error of more
 // than twice what was seen, a mutation that does not fail, or `seen` so far above the worst of this run that

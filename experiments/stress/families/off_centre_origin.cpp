@@ -79,7 +79,7 @@ StabilityFamily off_centre_origin_family() {
   family.threshold = kRadiusThreshold;
   family.derivation = kRadiusDerivation;
   family.mutation = describe(Flaw::behind);
-  family.seen = {4.4, 0.92};
+  family.seen = {4.3, 0.92};
   family.run = run_off_centre_origin;
   return family;
 }

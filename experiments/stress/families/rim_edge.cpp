@@ -78,7 +78,7 @@ StabilityFamily rim_edge_family() {
       "answers nothing in a cell that a rim crosses, and nothing beyond.",
       kRadiusThreshold,
       kRadiusDerivation,
-      {6.1, 0.88},
+      {4.7, 0.88},
       describe(Flaw::loose_edges),
       run_rim_edge};
 }

@@ -67,7 +67,7 @@ StabilityFamily sliver_family() {
       "as any face in its plane.",
       kRadiusThreshold,
       kRadiusDerivation,
-      {5.7, 0.91},
+      {5.7, 0.88},
       describe(Flaw::thin_left_out),
       run_sliver};
 }
