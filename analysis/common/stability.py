@@ -11,29 +11,42 @@ import pandas as pd
 import common
 from common import measured
 
-KEY = ["family", "magnitude", "method", "scalar"]
-OURS = {"double": "ours, in double", "float": "ours, stored in float"}
-CONTENDERS = {
-    "pairwise": "pairwise rays",
-    "embree_fast": "Embree, fast",
+KEY = ["family", "magnitude", "method", "precision_deg", "scalar"]
+
+# What readers compare: the columns of the overview, with the rows of the results that each stands for.
+OURS = ["exact", "tables, 0.1° or finer", "tables, 1°", "tables, coarser"]
+STEPS = {1.0: "exact test in steps of 1°", 0.1: "exact test in steps of 0.1°"}
+OTHERS = {
+    "vertex_gaps_in_steps": "thesis: gaps of vertices in steps",
+    "radius_as_eq_11": "short cuts",
+    "speed_as_eq_12": "short cuts",
+    "float_before_centre": "short cuts",
+    "azimuths_in_float": "short cuts",
+    "azimuths_summed": "short cuts",
+    "pairwise": "every face, in double",
     "embree_robust": "Embree, robust",
-    "cgal_first_hit": "CGAL, first hit",
-    "float_before_centre": "coordinates in float before centring",
-    "radius_as_eq_11": "radius as Eq. 11 has it",
-    "speed_as_eq_12": "speed as Eq. 12 has it",
-    "azimuths_in_float": "azimuths in float degrees",
-    "azimuths_summed": "azimuths summed step by step",
+    "embree_fast": "Embree, fast",
+    "cgal_first_hit": "CGAL",
+    "cgal_pairs": "CGAL",
+    "fcl_collide": "FCL",
+    "ode_collide": "ODE (OPCODE)",
+    "vtk_collide": "VTK",
 }
+COLUMNS = [*OURS, *STEPS.values(), *dict.fromkeys(OTHERS.values())]
 
 
 def load(results: Path) -> pd.DataFrame:
-    """One row a case; `who` is the line that it belongs to, ours first."""
+    """One row a case; `who` is the column of the overview that it belongs to, none of what is wrong on purpose."""
     cases = measured.joined(results, "stability", "stability_detail", KEY)
-    cases["who"] = cases.method.map(CONTENDERS).fillna(cases.method)
+    cases["who"] = cases.method.map(OTHERS)
+    steps = cases.kind == "steps"
+    cases.loc[steps, "who"] = cases[steps].precision_deg.map(STEPS)
     ours = cases.kind == "ours"
-    cases.loc[ours, "who"] = cases[ours].scalar.map(OURS)
-    order = list(OURS.values()) + sorted(set(cases.who) - set(OURS.values()))
-    cases["who"] = pd.Categorical(cases.who, [name for name in order if (cases.who == name).any()])
+    cases.loc[ours, "who"] = pd.cut(cases[ours].precision_deg, [-1, 0, 0.1, 1, 360], labels=OURS).astype(str)
+    cases["broken_bounds"] = bounds(cases) == "broken"
+    cases["wrong"] = cases.failures.fillna(0) + cases.broken_bounds
+    cases["silent"] = cases.withheld.fillna(0) + cases.unbounded.fillna(0) + cases.refused
+    cases["asked"] = cases.questions.fillna(0) + cases.refused
     return cases
 
 
@@ -51,6 +64,34 @@ def bounds(cases: pd.DataFrame) -> pd.Series:
     """What the proven bound of each case comes to: held, broken, infinite, or held against no look-up at all.
     Empty where none is claimed."""
     said = cases.bound_holds.map({True: "held", "yes": "held", False: "broken", "no": "broken"})
-    said[cases.bound_um.notna() & cases.error_um.isna()] = "unanswered"
+    said[(cases.bound_um.notna() | (cases.withheld > 0)) & cases.error_um.isna() & cases.bound_holds.isna()] = "unanswered"
     said[np.isinf(cases.bound_um)] = "infinite"
     return said
+
+
+def overview(cases: pd.DataFrame) -> pd.DataFrame:
+    """asked, wrong and silent (withheld, without a finite bound, or refused) of each family and column."""
+    return cases.dropna(subset="who").groupby(["family", "who"])[["asked", "wrong", "silent"]].sum().astype(int)
+
+
+STIFF = 1000  # a condition number above it
+
+
+def condition(cases: pd.DataFrame, family: str) -> float:
+    """The largest of a family."""
+    return cases[cases.family == family].condition.max()
+
+
+def kind(number: float) -> str:
+    """Of a family with that condition number; what is not stiff is extreme by its parameter."""
+    return "stiff" if number > STIFF else "extreme"
+
+
+def power(number: float) -> str:
+    """In the digits of a figure."""
+    if number < 1e4:
+        return common.digits(number)
+    if number != number:
+        return "---"
+    mantissa, exponent = f"{number:.0e}".split("e")
+    return f"${mantissa}\\cdot 10^{{{int(exponent)}}}$"

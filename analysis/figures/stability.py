@@ -1,102 +1,90 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      stability-overview
-# @question  How large are errors in ill-conditioned and extreme cases, relative to what rounding explains?
+# @question  Which methods hold in stiff cases (condition number above 1000) and extreme ones (parameter within 1e-6 of a place where the answer jumps), which fail, and which say nothing?
 # @data      stability stability_detail stability_families
-"""Stiff and extreme cases: the error of every method over condition times unit roundoff, a panel a family."""
-
-import textwrap
+"""Stiff and extreme cases: a row a family, a column a method; whether it holds, fails or says nothing, with numbers."""
 
 import matplotlib.pyplot as plt
-import numpy as np
 import pandas as pd
-from matplotlib.patches import Patch
+from matplotlib.patches import Patch, Rectangle
 
 import common
 from common import stability
 
-COLUMNS = 5
-FLOOR, TOP = 1e-3, 1e8  # smaller errors, and none at all, are drawn at the floor, larger ones at the edge
-BAND = "#dceefb"  # errors of order one
-LIMIT = (0, (5, 3))  # the dashes of a threshold
+HOLDS, SILENT, FAILS = "#CFE8F5", "#FBE3A5", "#A5300B"
+NAMES = {
+    "behind_bone": "bone behind bone",
+    "beside_opening": "contact beside an opening",
+    "grazing_turn": "turn that only just grazes",
+    "huge_step": "tables of huge steps",
+    "off_centre_origin": "centre near the surface",
+    "parallel_edges": "edges nearly parallel",
+    "ray_through_edge_or_vertex": "ray through edge or vertex",
+    "stiff_motion": "contact along a face",
+    "tiny_step": "tables of tiny steps",
+    "translation": "far from the origin",
+}
+BLOCKS = ["One radius, look-up or formula", "One turn, up to its first contact"]
+GROUPS = [("ours", 0, 4), ("pose after pose", 4, 7), ("others", 7, 15)]
 
 
 def main(options) -> common.Figure:
-    """The same scale in all panels."""
+    """The families in two blocks."""
     cases = stability.load(options.results)
-    families = stability.families(options.results)
-    of_all = looks(cases)
-    rows = -(-len(families) // COLUMNS)
-    figure, grid = plt.subplots(rows, COLUMNS, figsize=(common.WIDTH, 1.42 * rows), sharey=True, squeeze=False)
-    for axes, (name, family) in zip(grid.flat, families.iterrows()):
-        of_family = cases[cases.family == name]
-        draw_errors(axes, of_family, family.threshold, of_all)
-        failing = draw_failures(axes, of_family, of_all)
-        axes.set_xticks(range(len(stability.magnitudes(of_family))), [])
-        axes.set_title(textwrap.fill(name.replace("_", " "), 20), pad=5 + 6 * failing, fontsize=9.5)
-    for axes in list(grid.flat)[len(families) :]:
-        axes.set_visible(False)
-    for axes in list(grid.flat)[max(len(families) - COLUMNS, 0) : len(families)]:
-        axes.set_xlabel("harmless → extreme", fontsize=common.SMALL)
-    figure.supylabel("error / (condition · u)", fontsize=10)
-    figure.tight_layout(h_pad=0.6, w_pad=0.3)
-    figure.legend(handles=legend_of(of_all), loc="upper left", bbox_to_anchor=(0.02, 0.0), ncols=3)
+    found = stability.overview(cases)
+    families = list(found.index.get_level_values("family").unique())
+    turns = [name for name in families if (name, stability.STEPS[1.0]) in found.index]
+    rows = ["", *(name for name in families if name not in turns), "", *turns]
+    figure, axes = plt.subplots(figsize=(common.WIDTH, 0.27 * len(rows) + 2.2))
+    axes.set(xlim=(0, len(stability.COLUMNS) + 2.6), ylim=(len(rows) + 0.7, 0))
+    for at, family in enumerate(rows):
+        for column, who in enumerate(stability.COLUMNS):
+            if (family, who) in found.index:
+                draw_cell(axes, column, at, found.loc[(family, who)])
+        if family:
+            condition = stability.condition(cases, family)
+            axes.text(len(stability.COLUMNS) + 0.15, at + 0.52, f"{stability.kind(condition)}, {stability.power(condition)}", va="center", fontsize=common.SMALL)
+    for title, at in zip(BLOCKS, [at for at, name in enumerate(rows) if not name]):
+        axes.text(0.03, at + 0.6, title, va="center", fontsize=common.SMALL, fontweight="bold")
+    for name, first, last in GROUPS:
+        axes.plot([first + 0.06, last - 0.06], [len(rows) + 0.12] * 2, color=common.drawing.INK, linewidth=0.8, clip_on=False)
+        axes.text((first + last) / 2, len(rows) + 0.6, name, ha="center", va="center", fontsize=common.SMALL)
+    axes.text(len(stability.COLUMNS) + 0.15, 0.6, "condition", va="center", fontsize=common.SMALL)
+    axes.set_yticks([at + 0.5 for at, name in enumerate(rows) if name], [NAMES.get(name, name.replace("_", " ")) for name in rows if name])
+    axes.set_xticks([column + 0.5 for column in range(len(stability.COLUMNS))])
+    axes.set_xticklabels(stability.COLUMNS, rotation=40, ha="left", rotation_mode="anchor")
+    axes.tick_params(length=0, labelsize=common.SMALL, top=True, labeltop=True, bottom=False, labelbottom=False)
+    axes.grid(False)
+    for side in axes.spines.values():
+        side.set_visible(False)
+    axes.legend(handles=legend(), loc="upper left", bbox_to_anchor=(-0.2, -0.01), ncols=3, handlelength=1.2, columnspacing=1.2)
     return figure
 
 
-def looks(cases: pd.DataFrame) -> dict[str, dict]:
-    """Ours are full, others hollow."""
-    found = common.look(list(cases.who.cat.categories))
-    for name, look in found.items():
-        look |= {"linewidth": 1.2, "markersize": 5}
-        if name not in stability.OURS.values():
-            look |= {"markerfacecolor": "white", "linewidth": 0.9}
-    return found
+def draw_cell(axes: plt.Axes, column: int, row: float, counts: pd.Series) -> None:
+    """Its colour, and what share fails or says nothing, or how many hold."""
+    colour = FAILS if counts.wrong else SILENT if counts.silent else HOLDS
+    axes.add_patch(Rectangle((column + 0.03, row + 0.05), 0.94, 0.9, facecolor=colour, linewidth=0))
+    said = percent(counts.wrong or counts.silent, counts.asked) if counts.wrong or counts.silent else short(counts.asked)
+    axes.text(column + 0.5, row + 0.52, said, ha="center", va="center", fontsize=common.SMALL, color="white" if counts.wrong else common.drawing.INK)
 
 
-def lines_of(cases: pd.DataFrame, column: str) -> pd.DataFrame:
-    """The worst of the methods behind each line: a row a magnitude, a column a line."""
-    worst = cases.pivot_table(index="magnitude", columns="who", values=column, aggfunc="max", observed=True)
-    return worst.reindex(stability.magnitudes(cases))
+def percent(part: int, of: int) -> str:
+    """Of all, of so many in a hundred, or of less than one."""
+    return "all" if part == of else f"{100 * part / of:.0f} %" if 100 * part >= of else "< 1 %"
 
 
-def draw_errors(axes: plt.Axes, cases: pd.DataFrame, threshold: float, of_all: dict[str, dict]) -> None:
-    """A line a method, errors of order one behind them, and the threshold."""
-    axes.set(yscale="log", ylim=(FLOOR, TOP))
-    axes.axhspan(FLOOR, 1, color=BAND, zorder=0)
-    axes.axhline(threshold, color="black", linewidth=0.8, linestyle=LIMIT)
-    axes.minorticks_off()
-    worst = lines_of(cases, "error_over_condition_u").clip(lower=FLOOR, upper=TOP)
-    for name in worst.columns:
-        axes.plot(np.arange(len(worst)), worst[name], **of_all[name], clip_on=False)
+def short(count: int) -> str:
+    """At most four characters: 950, 1.7k, 17k."""
+    return str(count) if count < 1000 else f"{count / 1000:.1f}k" if count < 9950 else f"{count / 1000:.0f}k"
 
 
-def draw_failures(axes: plt.Axes, cases: pd.DataFrame, of_all: dict[str, dict]) -> int:
-    """A cross above the axes where a line has failures, in its colour. Returns how many such lines."""
-    failures = lines_of(cases, "failures") > 0
-    failing = [name for name in failures.columns if failures[name].any()]
-    for row, name in enumerate(failing):
-        places = np.flatnonzero(failures[name])
-        common.marks(
-            axes,
-            places,
-            np.full(len(places), 1.04 + 0.055 * row),
-            marker="x",
-            markersize=5,
-            markeredgewidth=1.6,
-            color=of_all[name]["color"],
-            transform=axes.get_xaxis_transform(),
-            clip_on=False,
-        )
-    return len(failing)
-
-
-def legend_of(of_all: dict[str, dict]) -> list:
-    """The lines, and what else is drawn."""
-    lines = [common.key(name, **look) for name, look in of_all.items()]
-    return lines + [
-        Patch(color=BAND, label="as good as the input, rounded once"),
-        common.key("allowed of ours (analysis)", color="black", linewidth=0.8, linestyle=LIMIT),
-        common.key("hits missed or false, wrong values", color="black", marker="x", linestyle="none"),
+def legend() -> list:
+    """The three colours."""
+    return [
+        Patch(color=HOLDS, label="holds: each of so many answers is right"),
+        Patch(color=SILENT, label="withheld: none is wrong, this share is left open"),
+        Patch(color=FAILS, label="fails: this share is wrong"),
     ]
 
 

@@ -82,7 +82,7 @@ def replay(results: Path) -> dict[str, str]:
 
 def stiff(results: Path) -> dict[str, str]:
     """stability:families, :cases, :failures (of ours) and :refused; of bounds :held, :broken, :infinite and :unanswered; :withheld
-    look-ups; stability:share, the largest error of ours over what its analysis allows, in per cent.
+    look-ups, :unbounded ones; families whose mutation is :noticed; stability:share, the largest error of ours over what its analysis allows, in per cent.
     """
     cases = stability.load(results)
     families = stability.families(results)
@@ -97,6 +97,8 @@ def stiff(results: Path) -> dict[str, str]:
         "stability:failures": str(int(ours.failures.sum())),
         **{f"stability:{what}": f"{(bounds == what).sum():,}" for what in ("held", "broken", "infinite", "unanswered")},
         "stability:withheld": f"{int(ours.withheld.sum()):,}",
+        "stability:unbounded": f"{int(ours.unbounded.sum()):,}",
+        "stability:noticed": "all" if (families.mutation_noticed > 0).all() else str(int((families.mutation_noticed > 0).sum())),
         "stability:refused": str(int((ours.refused > 0).sum())),
         "stability:share": common.digits(100 * share.max(), 2),
     }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      stability-summary
-# @question  Which ill-conditioned and extreme cases break a method?
+# @question  Which stiff cases (condition number above 1000) and extreme ones (parameter within 1e-6 of a place where the answer jumps or is not defined) break a method, and is a mutation of the method noticed?
 # @data      stability stability_detail stability_families
 """Stiff and extreme cases, a row a family: how far ours and the others are off, and how often they fail."""
 
@@ -20,7 +20,7 @@ def main(options) -> common.Table:
 def line(cases: pd.DataFrame, name: str, family: pd.Series) -> dict:
     """Worst and counts of one family."""
     ours = cases[cases.kind == "ours"]
-    others = cases[cases.kind != "ours"]
+    others = cases[~cases.kind.isin(["ours", "mutated"])]
     bounds = stability.bounds(ours)
     in_double = ours[ours.scalar == "double"]
     return {
@@ -29,27 +29,21 @@ def line(cases: pd.DataFrame, name: str, family: pd.Series) -> dict:
         "unit": family.unit,
         "magnitudes": len(stability.magnitudes(cases)),
         "stiffness": cases.stiffness.max(),
-        "worst_condition": cases.condition.max(),
+        "worst_condition": stability.condition(cases, name),
         "worst_of_ours": in_double.error_over_condition_u.max(),
+        "seen": family.seen,
         "worst_of_ours_in_float": ours[ours.scalar == "float"].error_over_condition_u.max(),
         "threshold": family.threshold,
         "failures_of_ours": int(ours.failures.sum()),
         **{f"bounds_{what}": int((bounds == what).sum()) for what in ("held", "broken", "infinite", "unanswered")},
         "withheld": int(ours.withheld.sum()),
+        "unbounded": int(ours.unbounded.sum()),
         "refused": int(ours.refused.sum()),
-        "worst_of_others": others.error_over_condition_u.max(),
         "failures_of_others": int(others.failures.sum()),
+        "mutation": family.mutation,
+        "mutation_cases": family.mutation_cases,
+        "mutation_noticed": family.mutation_noticed,
     }
-
-
-def power(value: float) -> str:
-    """A cell of a wide range."""
-    if not value == value:
-        return "---"
-    if value < 1e4:
-        return common.digits(value)
-    mantissa, exponent = f"{value:.0e}".split("e")
-    return f"${mantissa}\\cdot10^{{{int(exponent)}}}$"
 
 
 def latex(lines: pd.DataFrame) -> str:
@@ -58,24 +52,23 @@ def latex(lines: pd.DataFrame) -> str:
     for row in lines.itertuples():
         cells = [
             row.family.replace("_", " "),
-            str(row.magnitudes),
-            power(row.worst_condition),
-            power(row.worst_of_ours),
-            power(row.threshold),
+            f"{stability.power(row.worst_condition)}, {stability.kind(row.worst_condition)}",
+            stability.power(row.worst_of_ours) if row.worst_of_ours == row.worst_of_ours else "---",
+            stability.power(row.threshold),
             str(row.failures_of_ours),
-            str(row.refused),
-            f"{row.withheld:,}",
-            f"{row.bounds_held}, {row.bounds_infinite}, {row.bounds_unanswered}",
-            power(row.worst_of_others),
+            f"{row.withheld + row.unbounded + row.refused:,}",
+            f"{row.bounds_held}, {row.bounds_infinite + row.bounds_unanswered}",
             f"{row.failures_of_others:,}",
+            common.tex(row.mutation),
+            f"{row.mutation_noticed} of {row.mutation_cases}",
         ]
         rows.append(cells)
     return common.tabular(
-        "@{}lrrrrrrrrrr@{}",
+        "@{}lrrrrrrrlr@{}",
         [
-            " & & & \\multicolumn{6}{c}{Ours} & \\multicolumn{2}{c}{Others} \\\\",
-            "\\cmidrule(lr){4-9}\\cmidrule(l){10-11}",
-            "Family & Steps & Condition & Worst & Allowed & Fail & Refused & Withheld & Bounds held, infinite, unanswered & Worst & Fail \\\\",
+            " & & \\multicolumn{5}{c}{Ours} & Others & \\multicolumn{2}{c}{Mutation of the method} \\\\",
+            "\\cmidrule(lr){3-7}\\cmidrule(lr){8-8}\\cmidrule(l){9-10}",
+            "Family & Condition & Worst & Allowed & Fail & Say nothing & Bounds held, open & Fail & What is wrong & Noticed \\\\",
         ],
         rows,
     )

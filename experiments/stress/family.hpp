@@ -7,8 +7,12 @@
 // of the data, that no algorithm in that arithmetic can avoid. With u the unit roundoff an algorithm is as
 // stable as can be if its relative error is a small number times condition * u; how large that number may be
 // is worked out from the operations of the algorithm, before anything is measured, and is the threshold. It
-// covers the worst of all inputs, and so lies far above what is measured; that has a limit of its own. A
-// scene is stiff if its largest tan psi is more than 1000 times its median (dr / d angle = r tan psi).
+// covers the worst of all inputs, and so lies far above what is measured; that has a limit of its own.
+//
+// Stiff is a case with a condition number above 1000: 1 + tan psi of a radius, psi between ray and normal (dr
+// / d angle = r tan psi), R / (|d distance / d angle| angle) of a first contact, R / distance of bones that
+// pass one another. Extreme is a case with a smaller one whose parameter is within 1e-6 of a place where the
+// answer jumps or is not defined, or beyond it.
 #pragma once
 
 #include <array>
@@ -35,11 +39,15 @@ enum class Scalar { float32, float64 };
 std::string_view name_of(Scalar scalar);  // "float", "double"
 double unit_roundoff(Scalar scalar);      // 2^-24, 2^-53
 
+inline constexpr double kStiff = 1000.0;  // a condition number above it
+inline constexpr double kExtreme = 1e-6;  // of the parameter from the place, relative or in mm
+
 // One method at one magnitude: one row of the results. What was not measured is NaN or 0.
 struct StabilityCase {
-  double magnitude = 0.0;  // of the parameter, in the unit of the family
-  std::string method;      // as the benchmark calls it: SCHEME, SCHEME_mesh_exact, or by library and mode
-  std::string kind;        // ours, library or brute; a failure of ours fails the run
+  double magnitude = 0.0;      // of the parameter, in the unit of the family
+  std::string method;          // as the benchmark calls it: SCHEME, SCHEME_mesh_exact, or by library and mode
+  std::string kind;            // ours, library, brute, thesis, steps, or mutated: wrong on purpose
+  double precision_deg = 0.0;  // of a table, or of the steps of a motion; 0: neither, exact
   Scalar scalar = Scalar::float64;  // whose rounding counts
 
   std::size_t questions = 0;                     // directions, entries or poses that were asked
@@ -54,11 +62,13 @@ struct StabilityCase {
   std::size_t false_hits = 0;   // an answer where there is no surface
   std::size_t missed_hits = 0;  // none where there is one, unless `withheld`
   std::size_t wrong = 0;        // error_over_condition_u above the threshold, or bits that should be the same
-  std::size_t withheld = 0;     // none in a cell that a rim crosses: as documented, no failure
+  std::size_t withheld = 0;     // none in a cell that a rim crosses, or unknown: as documented, no failure
+  std::size_t unbounded = 0;    // look-ups that answer, with nothing proven of their error
   std::string refused;          // the one line of a refusal: nothing was answered, so nothing failed
 
-  double bound_um = kNotMeasured;  // proven, on the error of a look-up between entries
-  double error_um = kNotMeasured;  // largest error of a look-up
+  // Of the look-up between entries that comes nearest to its bound, or beyond it.
+  double bound_um = kNotMeasured;  // proven, on its error
+  double error_um = kNotMeasured;
 
   // Answers that are wrong in any way.
   std::size_t failures() const { return nan + false_hits + missed_hits + wrong; }
@@ -88,6 +98,8 @@ struct StabilityFamily {
   // Largest error_over_condition_u of ours in quick and full runs, rounded down: in double, in float. More
   // than twice as much breaks the run: what is far below its threshold may still have grown worse.
   std::array<double, 2> seen{};
+  // What is wrong with the method of kind `mutated`: a sign or a tolerance. It has to fail in some case.
+  std::string mutation;
   // Every method at every magnitude, 5 magnitudes or more. Deterministic.
   std::function<std::vector<StabilityCase>(const StabilityRun&)> run;
 };
@@ -95,9 +107,14 @@ struct StabilityFamily {
 // All families, in alphabetical order of their names.
 std::vector<StabilityFamily> stability_families();
 
-// What makes the run fail, one line each: a failure of ours, a bound that does not hold, or an error of more
-// than twice what was seen.
-std::vector<std::string> broken(const StabilityFamily& family, const std::vector<StabilityCase>& cases);
+// A quick run asks less, and may see less than a full one, whose worst is `seen`.
+inline constexpr double kQuickShareOfSeen = 0.5;
+
+// What makes the run fail, one line each: a failure of ours, a bound that does not hold, an error of more
+// than twice what was seen, a mutation that does not fail, or `seen` so far above the worst of this run that
+// the worst is less than that share of it.
+std::vector<std::string> broken(const StabilityFamily& family, const std::vector<StabilityCase>& cases,
+                                double least_share_of_seen = kQuickShareOfSeen);
 
 // What the families come to, as tables.
 

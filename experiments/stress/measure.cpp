@@ -16,6 +16,7 @@
 #include "mesh/jump_edges.hpp"
 #include "reference/exact_radius.hpp"
 #include "stress/methods.hpp"
+#include "stress/working_tables.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -36,7 +37,8 @@ double angle_to_arc(const Vec3& u, const Vec3& from, const Vec3& to) {
 
 // May a table answer nothing here? Within its reach of an entry that it reads, as the direction is too, the
 // surface ends or jumps.
-bool is_near_rim(const TriangleMesh& mesh, const std::vector<JumpEdge>& rim, const Vec3& u, double reach) {
+bool is_near_rim(const TriangleMesh& mesh, const std::vector<JumpEdge>& rim, const Vec3& x, double reach) {
+  const Vec3 u = x.stableNormalized();
   return std::ranges::any_of(rim, [&](const JumpEdge& edge) {
     return angle_to_arc(u, mesh.vertices[edge.from], mesh.vertices[edge.to]) <= 2.0 * reach * (1.0 + 1e-9);
   });
@@ -61,23 +63,35 @@ struct Shared {
   }
 };
 
-// Look-ups between entries.
-void judge_look_ups(StabilityCase& result, const Shared& shared, const StoredRadii& table,
-                    std::span<const double> answers) {
+// Keeps the look-up that is nearest to its bound.
+void judge_bound(StabilityCase& result, double error_mm, double bound_mm) {
+  if (std::isinf(bound_mm)) ++result.unbounded;
+  const double share = bound_mm > 0.0 ? error_mm / bound_mm : error_mm > 0.0 ? HUGE_VAL : 0.0;
+  const bool first = std::isnan(result.error_um);
+  if (!first && std::isinf(bound_mm)) return;
+  if (!first && !std::isinf(result.bound_um) && share <= result.error_um / result.bound_um) return;
+  result.error_um = kMicrometres * error_mm;
+  result.bound_um = kMicrometres * bound_mm;
+}
+
+// Look-ups between entries, and the bound of each; reach: of the table, radians.
+void judge_look_ups(StabilityCase& result, const Shared& shared, double reach,
+                    std::span<const double> answers, std::span<const double> bounds) {
   const auto& [directions, truth, condition] = shared.along;
   result.questions += answers.size();
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const bool there = !std::isnan(truth[i]);
     if (std::isnan(answers[i])) {
       if (!there) continue;
-      const bool documented = is_near_rim(shared.scene.mesh, shared.rim, directions[i], table.reach);
+      const bool documented = is_near_rim(shared.scene.mesh, shared.rim, directions[i], reach);
       ++(documented ? result.withheld : result.missed_hits);
     } else if (!is_length(answers[i])) {
       ++result.nan;
     } else if (!there) {
       ++result.false_hits;
     } else {
-      raise(result.error_um, kMicrometres * std::abs(answers[i] - truth[i]));
+      judge_bound(result, std::abs(answers[i] - truth[i]), bounds[i]);
+      raise(result.condition, condition[i].condition());
     }
   }
 }
@@ -95,6 +109,7 @@ StabilityCase blank(const StabilityMethod& method, double magnitude, double thre
   result.method = method.maker.name;
   result.kind = method.maker.kind;
   result.scalar = method.scalar;
+  if (method.maker.precision_deg > 0.0) result.precision_deg = method.maker.precision_deg;
   const bool stored_in_float = method.maker.kind == "ours" && method.scalar == Scalar::float32;
   result.threshold = stored_in_float ? kStoredThreshold : threshold;
   result.refused = method.refused;
@@ -111,11 +126,27 @@ StabilityCase measure_one(Shared& shared, const StabilityMethod& method, Stabili
   } else {
     const StoredRadii table = answering.stored();
     judge(result, shared.at_entries(method.maker.scheme, table.directions), table.radii);
-    judge_look_ups(result, shared, table, answers);
-    result.bound_um = kMicrometres * method.maker.bound(answering).bound_mm;
+    const double bound = method.maker.bound(answering).bound_mm;
+    judge_look_ups(result, shared, table.reach, answers, std::vector(answers.size(), bound));
+    if (std::isnan(result.error_um)) result.bound_um = kMicrometres * bound;
   }
   judge_twins(result, shared.scene, answers);
   return result;
+}
+
+// Tables at working precisions.
+void add_working(std::vector<StabilityCase>& cases, const Shared& shared, double magnitude) {
+  for (const WorkingTable& table : working_tables(shared.scene.mesh, shared.along.directions)) {
+    StabilityCase result;
+    result.magnitude = magnitude;
+    result.method = table.name;
+    result.kind = "ours";
+    result.precision_deg = table.precision_deg;
+    result.threshold = kRadiusThreshold;
+    judge_look_ups(result, shared, table.reach, table.answers, table.bounds);
+    judge_twins(result, shared.scene, table.answers);
+    cases.push_back(result);
+  }
 }
 
 using Long = long double;
@@ -185,26 +216,42 @@ void judge(StabilityCase& result, const RadiusQuestions& questions, std::span<co
   }
 }
 
-std::vector<StabilityCase> measure(const StabilityScene& scene, double magnitude,
-                                   const MeasureOptions& options, std::span<const StabilityMethod> methods) {
+namespace {
+
+std::vector<StabilityCase> measured(const StabilityScene& scene, double magnitude,
+                                    const MeasureOptions& options, std::span<const StabilityMethod> methods,
+                                    bool working) {
   Shared shared{scene, ask(scene.mesh, scene.directions), jump_edges(scene.mesh), {}};
   const double stiff = stiffness(scene.mesh);
   std::vector<StabilityCase> cases;
   for (const StabilityMethod& method : methods) {
     cases.push_back(measure_one(shared, method, blank(method, magnitude, options.threshold)));
-    cases.back().stiffness = stiff;
   }
+  if (working) add_working(cases, shared, magnitude);
+  for (StabilityCase& one : cases) one.stiffness = stiff;
   return cases;
+}
+
+}  // namespace
+
+std::vector<StabilityCase> measure(const StabilityScene& scene, double magnitude,
+                                   const MeasureOptions& options, std::span<const StabilityMethod> methods) {
+  return measured(scene, magnitude, options, methods, false);
 }
 
 std::vector<StabilityCase> measure(const StabilityScene& scene, double magnitude,
                                    const MeasureOptions& options) {
-  return measure(scene, magnitude, options, stability_methods(scene, options.search));
+  std::vector<StabilityMethod> methods = stability_methods(scene, options.search);
+  if (options.flaw) {
+    if (auto wrong = wrong_on_purpose(scene.mesh, *options.flaw, methods)) methods.push_back(*wrong);
+  }
+  return measured(scene, magnitude, options, methods, true);
 }
 
 std::vector<StabilityCase> sweep(std::span<const double> magnitudes, const ScenesAt& scenes_at,
-                                 const StabilityRun& run) {
-  const MeasureOptions options = measure_options(run);
+                                 const StabilityRun& run, std::optional<Flaw> flaw) {
+  MeasureOptions options = measure_options(run);
+  options.flaw = flaw;
   std::vector<StabilityCase> all;
   for (const double magnitude : magnitudes) {
     std::vector<StabilityCase> cases;

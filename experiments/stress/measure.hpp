@@ -8,6 +8,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "mesh/triangle_mesh.hpp"
 #include "stress/family.hpp"
 #include "stress/methods.hpp"
+#include "stress/mutated_rays.hpp"
 
 namespace impinge::lab {
 
@@ -61,6 +63,7 @@ inline constexpr double kStoredThreshold = 1.0 + 2.0 * kRadiusThreshold * 0x1p-2
 struct MeasureOptions {
   double threshold = kRadiusThreshold;  // of everything that is not stored in float by us
   BoundOptions search;                  // of the bounds of tables
+  std::optional<Flaw> flaw;             // of the rays that are wrong on purpose, if there are any
 };
 // How hard a quick or a full run searches for bounds.
 MeasureOptions measure_options(const StabilityRun& run);
@@ -77,7 +80,7 @@ RadiusQuestions ask(const TriangleMesh& mesh, std::span<const Vec3> directions);
 // Adds to the case what the answers came to: hits, errors, conditions, wrong ones.
 void judge(StabilityCase& result, const RadiusQuestions& questions, std::span<const double> answers);
 
-// Every method of the scene.
+// Every method of the scene: with tables at its own precision, and at those of working_tables.hpp.
 std::vector<StabilityCase> measure(const StabilityScene& scene, double magnitude,
                                    const MeasureOptions& options);
 
@@ -88,8 +91,8 @@ std::vector<StabilityCase> measure(const StabilityScene& scene, double magnitude
 // The scenes of one magnitude.
 using ScenesAt = std::function<std::vector<StabilityScene>(double magnitude)>;
 
-// Every method at every magnitude, the worse of its scenes.
+// Every method, and rays that are wrong on purpose, at every magnitude, the worse of its scenes.
 std::vector<StabilityCase> sweep(std::span<const double> magnitudes, const ScenesAt& scenes_at,
-                                 const StabilityRun& run);
+                                 const StabilityRun& run, std::optional<Flaw> flaw = std::nullopt);
 
 }  // namespace impinge::lab

@@ -51,6 +51,7 @@ void add_refusals(std::vector<StabilityMethod>& methods, const StabilityScene& s
     } catch (const std::invalid_argument& refusal) {
       StabilityMethod method = ours(S::name);
       method.refused = refusal.what();
+      method.maker.precision_deg = scene.precision_deg;
       methods.push_back(std::move(method));
     }
   });

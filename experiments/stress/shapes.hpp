@@ -16,6 +16,11 @@ namespace impinge::lab {
 // A face that the direction meets at kAimedRadius, its plane `beside` radians from holding the direction.
 TriangleMesh near_tangent_face(const Vec3& aim, double beside);
 
+// A wall of that kind about the direction, of so many faces, as far as wall_reach(beside) radians from it.
+inline constexpr std::size_t kWallSides = 6;
+double wall_reach(double beside);
+TriangleMesh near_tangent_wall(const Vec3& aim, double beside);
+
 // Four faces round a point of the direction, which is inside of the first: a sliver, `aspect` times as high
 // as it is long.
 TriangleMesh aimed_sliver(const Vec3& aim, double aspect);

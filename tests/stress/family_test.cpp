@@ -37,6 +37,7 @@ StabilityFamily family_of(std::vector<StabilityCase> cases) {
   family.name = "some_family";
   family.unit = "mm";
   family.seen = {0.5, 0.25};
+  family.mutation = "a sign";
   family.run = [cases = std::move(cases)](const StabilityRun& /*run*/) { return cases; };
   return family;
 }
@@ -44,6 +45,9 @@ StabilityFamily family_of(std::vector<StabilityCase> cases) {
 std::vector<StabilityCase> clean_cases() {
   std::vector<StabilityCase> cases;
   for (int k = 0; k < 5; ++k) cases.push_back(clean_case(k));
+  cases.push_back(clean_case(4.0));
+  cases.back().kind = "mutated";
+  cases.back().wrong = 1;
   return cases;
 }
 
@@ -55,6 +59,7 @@ TEST(StabilityFamilies, SayWhatTheyAreAboutBeforeTheyRun) {
     EXPECT_FALSE(family.unit.empty()) << family.name;
     EXPECT_FALSE(family.expected.empty()) << family.name;
     EXPECT_FALSE(family.derivation.empty()) << family.name;
+    EXPECT_FALSE(family.mutation.empty()) << family.name;
     EXPECT_TRUE(family.run) << family.name;
   }
   EXPECT_GE(names.size(), 9U);
@@ -100,6 +105,26 @@ TEST(StabilityFamilies, SoDoesAnErrorOfMoreThanTwiceWhatWasSeen) {
   EXPECT_TRUE(broken(family_of(cases), cases).empty());
 }
 
+TEST(StabilityFamilies, SoDoesASeenThatNoRunCameNear) {
+  StabilityFamily family = family_of({});
+  family.seen = {1.1, 0.25};
+  const auto lines = broken(family, clean_cases());
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0], "some_family: `seen` in double is above the worst, 0.500000");
+  EXPECT_TRUE(broken(family, clean_cases(), 0.4).empty()) << "as a smaller run may";
+}
+
+TEST(StabilityFamilies, SoDoesAMutationThatNoCaseNotices) {
+  std::vector<StabilityCase> cases = clean_cases();
+  cases.back().wrong = 0;
+  const auto lines = broken(family_of(cases), cases);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0], "some_family: no case notices the mutation, a sign");
+  cases.back().error_um = 2.0;
+  cases.back().bound_um = 1.0;
+  EXPECT_TRUE(broken(family_of(cases), cases).empty()) << "a bound that does not hold is noticed";
+}
+
 TEST(StabilityFamilies, WhatIsSilentAndWhatIsWithheldIsNoFailure) {
   std::vector<StabilityCase> cases = clean_cases();
   cases[0].withheld = 7;
@@ -141,21 +166,21 @@ TEST(StabilityReport, WritesARowACaseAndAFamily) {
   cases[3].missed_hits = 1;
   cases[4].refused = "too coarse";
   run_family(family_of(cases), {}, tables);
-  ASSERT_EQ(tables.main.rows.size(), 5U);
-  EXPECT_EQ(tables.detail.rows.size(), 5U);
+  ASSERT_EQ(tables.main.rows.size(), 6U);
+  EXPECT_EQ(tables.detail.rows.size(), 6U);
   EXPECT_EQ(tables.families.rows.size(), 1U);
   EXPECT_EQ(tables.broken.size(), 1U);
-  EXPECT_EQ(
-      to_csv(tables.main).substr(0, to_csv(tables.main).find('\n')),
-      "family,magnitude,method,scalar,condition,relative_error,error_over_condition_u,failures,bound_holds");
-  EXPECT_EQ(tables.main.rows[3][7].text(), "1");
-  EXPECT_EQ(tables.main.rows[4][7].text(), "") << "a refused case has no counts";
+  EXPECT_EQ(to_csv(tables.main).substr(0, to_csv(tables.main).find('\n')),
+            "family,magnitude,method,precision_deg,scalar,condition,relative_error,error_over_condition_u,"
+            "failures,bound_holds");
+  EXPECT_EQ(tables.main.rows[3][8].text(), "1");
+  EXPECT_EQ(tables.main.rows[4][8].text(), "") << "a refused case has no counts";
 }
 
 TEST(StabilityReport, WantsFiveMagnitudes) {
   StabilityTables tables = make_stability_tables();
   std::vector<StabilityCase> cases = clean_cases();
-  cases[0].magnitude = cases[1].magnitude;
+  for (StabilityCase& c : cases) c.magnitude = std::min(c.magnitude, 3.0);
   EXPECT_THROW(run_family(family_of(cases), {}, tables), std::logic_error);
 }
 

@@ -48,6 +48,19 @@ TEST(NearTangent, TheAimMeetsTheFaceAtTheAngle) {
   }
 }
 
+TEST(NearTangent, TheWallIsSeenAsFarAsItReaches) {
+  for (const double degrees : {30.0, 3.0, 0.1}) {
+    for (const Vec3& aim : test::random_directions(20, 3)) {
+      const double beside = degrees * kDegree;
+      const TriangleMesh wall = near_tangent_wall(aim, beside);
+      EXPECT_NEAR(1.0 / conditions_along(wall, {&aim, 1})[0].slope, std::tan(beside), 1e-9);
+      EXPECT_NEAR(radii(wall, {aim}, Layer::nearest)[0], kAimedRadius, 1e-9);
+      for (std::size_t k = 1; k <= kWallSides; ++k)
+        EXPECT_NEAR(angle_between(wall.vertices[k], aim), wall_reach(beside), 1e-12);
+    }
+  }
+}
+
 double aspect_of(const TriangleMesh& mesh, const Face& face) {
   double longest = 0.0;
   for (std::size_t k = 0; k < 3; ++k)

@@ -38,6 +38,8 @@ constexpr double kRoot = 8.0;
 constexpr double kB = 17.843;  // mm, Menschik's
 constexpr std::array kAway{1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13, 1e-15};
 
+constexpr const char* kConchoidMutation = "the radius as Eq. 11 has it, where a and b cancel (a sign)";
+
 struct Method {
   std::string name;
   std::string kind;
@@ -63,6 +65,7 @@ std::vector<Method> forward_methods() {
       {"meridian_length", "ours", kLength, meridian_length,
        [](const Curve& curve, double phi) { return curve.length(phi); }},
       {"cap_area", "ours", kArea, cap_area, [](const Curve& curve, double phi) { return curve.area(phi); }},
+      {"mutated", "mutated", kConchoidRadius, plain_radius, radius},
       {"radius_as_eq_11", "thesis", kConchoidRadius, plain_radius, radius},
       {"speed_as_eq_12", "thesis", kSpeed, plain_speed, speed}};
 }
@@ -174,6 +177,7 @@ StabilityFamily conchoid_family() {
   family.derivation =
       "roundings of each formula, all of them sums of positive terms (7 to 47), and 8 for the end of a root "
       "search";
+  family.mutation = kConchoidMutation;
   family.seen = {7.7, 0.0};
   family.run = run_conchoid;
   return family;

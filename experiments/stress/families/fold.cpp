@@ -36,7 +36,7 @@ std::vector<StabilityCase> run_fold(const StabilityRun& run) {
     scene.directions = uniform_directions(run.quick ? 300 : 3000, run.seed);
     return std::vector{scene};
   };
-  return sweep(kLayers, scenes_at, run);
+  return sweep(kLayers, scenes_at, run, Flaw::farthest);
 }
 
 }  // namespace
@@ -74,6 +74,7 @@ StabilityFamily fold_family() {
           kRadiusThreshold,
           kRadiusDerivation,
           {3.8, 0.86},
+          describe(Flaw::farthest),
           run_fold};
 }
 

@@ -20,7 +20,7 @@ std::vector<StabilityCase> run_huge_step(const StabilityRun& run) {
     scene.precision_deg = degrees;
     return std::vector{scene};
   };
-  return sweep(kDegreesApart, scenes_at, run);
+  return sweep(kDegreesApart, scenes_at, run, Flaw::mirrored);
 }
 
 }  // namespace
@@ -34,6 +34,7 @@ StabilityFamily huge_step_family() {
           kRadiusThreshold,
           kRadiusDerivation,
           {5.2, 0.92},
+          describe(Flaw::mirrored),
           run_huge_step};
 }
 

@@ -22,7 +22,7 @@ std::vector<StabilityCase> run_mesh_noise(const StabilityRun& run) {
     scene.directions = uniform_directions(run.quick ? 300 : 3000, run.seed);
     return std::vector{scene};
   };
-  return sweep(kShares, scenes_at, run);
+  return sweep(kShares, scenes_at, run, Flaw::one_sided);
 }
 
 }  // namespace
@@ -48,6 +48,7 @@ StabilityFamily mesh_noise_family() {
           kRadiusThreshold,
           kRadiusDerivation,
           {4.9, 0.88},
+          describe(Flaw::one_sided),
           run_mesh_noise};
 }
 

@@ -46,7 +46,7 @@ std::vector<StabilityCase> run_pole(const StabilityRun& run) {
     }
     return std::vector{scene};
   };
-  return sweep(kPoleAngles, scenes_at, run);
+  return sweep(kPoleAngles, scenes_at, run, Flaw::arccosine);
 }
 
 }  // namespace
@@ -61,6 +61,7 @@ StabilityFamily pole_family() {
       kRadiusThreshold,
       kRadiusDerivation,
       {4.7, 0.92},
+      describe(Flaw::arccosine),
       run_pole};
 }
 

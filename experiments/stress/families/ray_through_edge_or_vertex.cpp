@@ -43,7 +43,7 @@ std::vector<StabilityCase> run_ray_through_edge_or_vertex(const StabilityRun& ru
     }
     return std::vector{scene};
   };
-  return sweep(kUlps, scenes_at, run);
+  return sweep(kUlps, scenes_at, run, Flaw::strict_edges);
 }
 
 }  // namespace
@@ -76,6 +76,7 @@ StabilityFamily ray_through_edge_or_vertex_family() {
       kRadiusThreshold,
       kRadiusDerivation,
       {4.0, 0.9},
+      describe(Flaw::strict_edges),
       run_ray_through_edge_or_vertex};
 }
 

@@ -64,7 +64,7 @@ std::vector<StabilityCase> run_rim_edge(const StabilityRun& run) {
     if (angle * kAimedRadius < kSide) scenes.push_back(beside_entries(angle, run.quick ? 3 : 12));
     return scenes;
   };
-  return sweep(kRimEdgeAngles, scenes_at, run);
+  return sweep(kRimEdgeAngles, scenes_at, run, Flaw::loose_edges);
 }
 
 }  // namespace
@@ -78,7 +78,8 @@ StabilityFamily rim_edge_family() {
       "answers nothing in a cell that a rim crosses, and nothing beyond.",
       kRadiusThreshold,
       kRadiusDerivation,
-      {6.1, 0.88},
+      {4.7, 0.88},
+      describe(Flaw::loose_edges),
       run_rim_edge};
 }
 

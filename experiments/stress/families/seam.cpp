@@ -34,7 +34,7 @@ std::vector<StabilityCase> run_seam(const StabilityRun& run) {
     for (int k = 0; k < parallels; ++k) add_beside(scene, kPi * (k + 0.5) / parallels, angle);
     return std::vector{scene};
   };
-  return sweep(kSeamAngles, scenes_at, run);
+  return sweep(kSeamAngles, scenes_at, run, Flaw::float_azimuth);
 }
 
 }  // namespace
@@ -48,6 +48,7 @@ StabilityFamily seam_family() {
           kRadiusThreshold,
           kRadiusDerivation,
           {5.2, 0.89},
+          describe(Flaw::float_azimuth),
           run_seam};
 }
 

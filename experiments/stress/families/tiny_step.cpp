@@ -51,14 +51,16 @@ std::vector<std::size_t> sample_entries(std::size_t size, std::size_t count, std
   return entries;
 }
 
+// kept: the bits of the number of an entry.
 template <class S>
-void ask_entries(const S& scheme, const std::vector<std::size_t>& entries, StabilityCase& row) {
+void ask_entries(const S& scheme, const std::vector<std::size_t>& entries, StabilityCase& row,
+                 std::size_t kept = ~std::size_t{0}) {
   for (const std::size_t entry : entries) {
     const Vec3 u = scheme.direction(entry);
     const Stencil stencil = scheme.stencil(u);
     Vec3 seen = Vec3::Zero();
     for (std::size_t k = 0; k < stencil.taps; ++k)
-      seen += stencil.weight[k] * scheme.direction(stencil.entry[k]);
+      seen += stencil.weight[k] * scheme.direction(stencil.entry[k] & kept);
     const double off = (seen - u).norm();
     include_error(row, off, row.condition);
   }
@@ -87,7 +89,7 @@ void ask_windows(const S& scheme, std::size_t count, StabilityCase& row) {
 template <class S>
 StabilityCase window_case(double step, const StabilityRun& run) {
   StabilityCase row;
-  row.magnitude = step;
+  row.magnitude = row.precision_deg = step;
   row.method = S::name;
   row.kind = "ours";
   row.threshold = kTinyStepThreshold;
@@ -102,11 +104,28 @@ StabilityCase window_case(double step, const StabilityRun& run) {
   return row;
 }
 
+// The same with entries that are numbered in 32 bits.
+StabilityCase short_numbers(double step, const StabilityRun& run) {
+  StabilityCase row;
+  row.magnitude = row.precision_deg = step;
+  row.method = "mutated";
+  row.kind = "mutated";
+  row.threshold = kTinyStepThreshold;
+  try {
+    const Rsid scheme = Rsid::with_precision(step);
+    row.condition = condition(scheme);
+    ask_entries(scheme, sample_entries(scheme.size(), 60, run.seed), row, 0xffffffffU);
+  } catch (const std::invalid_argument& error) {
+    row.refused = error.what();
+  }
+  return row;
+}
+
 // A whole table: refused, with its bytes, before memory is asked for.
 template <class S>
 void add_table_case(double step, std::vector<StabilityCase>& rows) {
   StabilityCase row;
-  row.magnitude = step;
+  row.magnitude = row.precision_deg = step;
   row.method = std::string(S::name) + "_whole_table";
   row.kind = "ours";
   row.questions = 1;
@@ -128,6 +147,7 @@ std::vector<StabilityCase> run_tiny_step(const StabilityRun& options) {
       rows.push_back(window_case<S>(step, options));
       add_table_case<S>(step, rows);
     });
+    rows.push_back(short_numbers(step, options));
     rows.push_back(float_azimuths(step, kTinyStepThreshold));
     rows.push_back(summed_azimuths(step, kTinyStepThreshold));
   }
@@ -152,6 +172,7 @@ StabilityFamily tiny_step_family() {
       "roundings of an entry's direction, of its angles, of their place between entries and of the taps; on "
       "a spiral "
       "times 2 pi its turns, the condition of its azimuth";
+  family.mutation = "entries numbered in 32 bits (a tolerance)";
   family.seen = {12.0, 0.0};
   family.run = run_tiny_step;
   return family;

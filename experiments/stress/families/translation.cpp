@@ -58,6 +58,7 @@ StabilityCase against_the_joint(const StabilityMethod& method, const StabilitySc
   row.kind = method.maker.kind;
   row.scalar = method.scalar;
   row.refused = method.refused;
+  if (method.maker.precision_deg > 0.0) row.precision_deg = method.maker.precision_deg;
   if (!row.refused.empty()) return row;
   const double factor = amplification(distance, row.scalar);
   const bool stored_in_float = row.kind == "ours" && row.scalar == Scalar::float32;
@@ -111,6 +112,8 @@ std::vector<StabilityCase> run_translation(const StabilityRun& options) {
       naive.maker.name = "float_before_centre";
       naive.scalar = Scalar::float32;
       rows.push_back(against_the_joint(naive, rounded, distance, truths));
+      rows.push_back(rows.back());
+      rows.back().method = rows.back().kind = "mutated";
     }
   }
   return rows;
@@ -131,6 +134,7 @@ StabilityFamily translation_family() {
   family.derivation = std::string(kRadiusDerivation) +
                       "; 2 for the rounding of the file's coordinates, whose condition is "
                       "1 + the distance";
+  family.mutation = "coordinates in float before the centre is subtracted (a tolerance)";
   family.seen = {2.9, 0.94};
   family.run = run_translation;
   return family;

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# @name      stability-detail
+# @question  How far off is a look-up of a steep surface, and which contacts along a face does each method miss?
+# @data      stability stability_detail stability_families
+"""Two families: error and bound against tan psi, and contacts that are missed, by the degree of a step and by scheme."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+from matplotlib.patches import Rectangle
+
+import common
+from common import stability
+
+LOOKS = {0.1: ("0.1°", "#0072B2", "o"), 1.0: ("1°", "#D55E00", "s")}
+RADIUS_UM = 20e3  # of the point that is aimed at, stress/shapes.hpp
+SEEN, OPEN, MISSED = "#CFE8F5", "#FBE3A5", "#A5300B"
+
+
+def main(options) -> common.Figure:
+    """A panel for each family."""
+    cases = stability.load(options.results)
+    figure, axes = plt.subplots(1, 2, figsize=(common.WIDTH, 3.9), width_ratios=[1, 1], layout="constrained")
+    near_tangent(axes[0], cases[(cases.family == "near_tangent") & (cases.kind == "ours")])
+    missed(axes[1], cases[(cases.family == "stiff_motion") & (cases.scalar == "double")])
+    return figure
+
+
+def near_tangent(axes: plt.Axes, cases: pd.DataFrame) -> None:
+    """The worst scheme of each precision, and the exact answer."""
+    for precision, (said, colour, marker) in LOOKS.items():
+        tables = cases[(cases.precision_deg == precision) & ~cases.method.str.endswith("_mesh_exact") & cases.error_um.notna()]
+        tables = tables[np.isfinite(tables.bound_um)].assign(slope=tables.condition - 1)
+        worst = tables.groupby("magnitude")[["slope", "error_um", "bound_um"]].max().sort_values("slope")
+        look = {"color": colour, "marker": marker, "markersize": 5}
+        axes.plot(worst.slope, worst.bound_um, linestyle="--", markerfacecolor="white", label=f"bound, {said}, up to tan ψ = {worst.slope.max():.0f}", **look)
+        axes.plot(worst.slope, worst.error_um, label=f"error, {said}", **look)
+    exact = cases[cases.method == "cone_rays"].assign(slope=cases.condition - 1).sort_values("slope")
+    axes.plot(exact.slope, exact.relative_error * RADIUS_UM, color="black", marker="*", label="error, exact")
+    axes.set(xscale="log", yscale="log", xlabel="tan ψ", ylabel="µm at a radius of 20 mm")
+    axes.set_title("A ray that almost runs along the surface", fontsize=common.SMALL + 1)
+    axes.legend(loc="upper left", bbox_to_anchor=(0.2, 1.02), fontsize=common.SMALL)
+
+
+def missed(axes: plt.Axes, cases: pd.DataFrame) -> None:
+    """A row a method, a column an angle."""
+    rows = methods(cases)
+    angles = list(rows[0][1].index)
+    for at, (name, lost, asked) in enumerate(rows):
+        for column, angle in enumerate(angles):
+            share = lost[angle] / asked[angle]
+            colour = SEEN if not share else MISSED if "steps" in name else OPEN
+            axes.add_patch(Rectangle((column + 0.03, at + 0.06), 0.94, 0.88, linewidth=0, facecolor=colour))
+            if share:
+                said = "all" if share == 1 else f"{100 * share:.0f} %"
+                axes.text(column + 0.5, at + 0.53, said, ha="center", va="center", fontsize=common.SMALL, color="white" if colour == MISSED else "black")
+    axes.set(xlim=(0, len(angles)), ylim=(len(rows), 0))
+    axes.set_yticks(np.arange(len(rows)) + 0.5, [name for name, *_ in rows])
+    axes.set_xticks(np.arange(len(angles)) + 0.5, [f"$10^{{{np.log10(angle):.0f}}}$" for angle in angles])
+    axes.tick_params(length=0, labelsize=common.SMALL)
+    axes.grid(False)
+    for side in axes.spines.values():
+        side.set_visible(False)
+    axes.set_xlabel("half of the angle for which the contact lasts, degrees", fontsize=common.SMALL)
+    axes.set_title("Contacts along a face that are missed (red)\nor left open (yellow)", fontsize=common.SMALL + 1)
+
+
+def methods(cases: pd.DataFrame) -> list[tuple[str, pd.Series, pd.Series]]:
+    """First contact, steps, and schemes at both precisions, those together that miss alike: what is missed and asked by angle."""
+    ours = cases[cases.kind == "ours"]
+    rows = [("first contact, closed form", *by_angle(ours[ours.method == "first_contact"]))]
+    for step in LOOKS:
+        rows.append((f"exact test, steps of {step:g}°", *by_angle(cases[(cases.kind == "steps") & (cases.precision_deg == step)])))
+    for precision in LOOKS:
+        alike: dict[tuple, list] = {}
+        for scheme, of_scheme in ours[ours.precision_deg == precision].groupby("method"):
+            lost, asked = by_angle(of_scheme)
+            alike.setdefault(tuple(lost / asked), []).append((scheme, lost, asked))
+        for group in sorted(alike.values(), key=len, reverse=True):
+            name = f"{len(group)} schemes" if len(group) > 2 else ", ".join(scheme.replace("_", " ") for scheme, *_ in group)
+            rows.append((f"{name}, {precision:g}°", group[0][1], group[0][2]))
+    return rows
+
+
+def by_angle(cases: pd.DataFrame) -> tuple[pd.Series, pd.Series]:
+    """Contacts that are missed or withheld, and all, from the longest on."""
+    counts = cases.assign(lost=cases.missed_hits + cases.withheld).groupby("magnitude")[["lost", "questions"]].sum()
+    counts = counts.sort_index(ascending=False)
+    return counts.lost, counts.questions
+
+
+common.run(main)
