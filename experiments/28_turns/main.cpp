@@ -2,7 +2,7 @@
 // @question  Who misses a first meeting while one turns, who finds a false one, and in what time?
 // @writes    turns turn_time turn_time_samples
 // @timing    yes
-// @seconds   25 600
+// @seconds   12 600
 // @reads     28_turns/turns.py 28_turns/pairs.py 28_turns/meshes.py 28_turns/exact.py
 // @links     harness limits method_cgal turns_methods steps_methods
 //
@@ -30,7 +30,7 @@ namespace {
 using namespace impinge;
 using namespace impinge::lab;
 
-constexpr TurnSetSizes kQuick{1, 720, 18};
+constexpr TurnSetSizes kQuick{1, 360, 9};
 constexpr TurnSetSizes kFull{1, 10'000, 200};
 constexpr std::size_t kTimedPairs = 360;  // of a kind
 constexpr std::size_t kTimedMeshes = 36;

@@ -19,7 +19,7 @@ TurnCase in_steps(const std::string& name, const std::string& label, int place, 
                   const MakeTouch& make) {
   TurnCase one{{name, label, "steps of " + Cell(step_deg).text() + " deg", place}, {face_face, mesh}};
   one.make = [make, step = step_deg * kDegree](const TurnQuery& query) -> FindTurn {
-    const auto pair = std::make_shared<const BallSocketPair>(query.turning, query.resting);
+    const auto pair = std::make_shared<const BallSocketPair>(BallSocketPair{query.turning, query.resting});
     return [&query, pair, touches = make(*pair), step] { return stepped(query, touches, step); };
   };
   return one;
