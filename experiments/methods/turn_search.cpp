@@ -2,9 +2,9 @@
 // @can     turns
 // @links   limits
 //
-// Ours. turn_contact: the closed form alone (limits/turn_contact.hpp), which counts what is within 2e-12 of
-// the radius as touching. turn_limit: with the exact test of what it finds (limits/turn_limit.hpp), the upper
-// end of its bracket.
+// Ours. turn_contact: the closed form alone (limits/turn_contact.hpp), which counts as touching what is
+// within 2e-12 of the radius, or so near that its steps give out. turn_limit: with the exact test of what it
+// finds (limits/turn_limit.hpp), the upper end of its bracket.
 
 #include <memory>
 
