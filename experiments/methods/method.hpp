@@ -58,6 +58,7 @@ struct GapCase;
 struct ContactCase;
 struct BaselineSizes;
 struct BaselineCase;
+struct TurnCase;
 
 /// What a method can do; empty: it cannot. Meshes in their centre frames, mm; they outlive the cases.
 struct Method {
@@ -76,6 +77,8 @@ struct Method {
   std::function<std::vector<ContactCase>(const BallSocketPair&)> steps = {};
   /// baseline.hpp: the comparison of Section 3.6, at several resolutions.
   std::function<std::vector<BaselineCase>(const BallSocketPair&, const BaselineSizes&)> baseline = {};
+  /// turns.hpp: the first meeting of two features or meshes while one turns.
+  std::function<std::vector<TurnCase>()> turns = {};
 };
 
 // The methods with each ability, in alphabetical order of their files. Each list is a CMake target
@@ -86,6 +89,7 @@ std::vector<Method> touch_methods();
 std::vector<Method> contact_methods();
 std::vector<Method> steps_methods();
 std::vector<Method> baseline_methods();
+std::vector<Method> turns_methods();
 
 /// The cases of all methods with an ability, in the order of their places: cases_of(touch_methods(),
 /// &Method::touch, pair, 0.1).

@@ -31,6 +31,8 @@ class Mesh {
     for (const Vec3& v : mesh.vertices) vertices_.insert(vertices_.end(), {v.x(), v.y(), v.z()});
     for (const Face& face : mesh.faces)
       for (const VertexIndex v : face) indices_.push_back(static_cast<dTriIndex>(v));
+    if (mesh.faces.size() == 1)  // of which OPCODE makes no tree: it is given twice
+      for (std::size_t k = 0; k < 3; ++k) indices_.push_back(indices_[k]);
     dGeomTriMeshDataBuildDouble(data_, vertices_.data(), 3 * sizeof(double),
                                 static_cast<int>(mesh.vertices.size()), indices_.data(),
                                 static_cast<int>(indices_.size()), 3 * sizeof(dTriIndex));

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kTolerance = 1e-12;   // of the largest radius
 constexpr double kWithin = 4.0;        // times it: parts that a search has to see
-constexpr int kMostAdvances = 10'000;  // of a pair of parts
+constexpr int kMostAdvances = 10'000;  // of a pair of parts in a span of angles
 
 // What a pair of parts is asked with. f is near zero, by `bound` times a distance, whenever the parts are
 // within that distance of each other; the one that turns is within `arm` of the axis; `doubt` is added to the
@@ -40,9 +40,9 @@ class Search {
   bool improve(const Pair& pair, const Distance& distance) {
     const double tolerance = tolerance_ + pair.doubt;
     bool found = false;
-    int steps = kMostAdvances;
     for (const AngleSpan& span : near_zero(pair.f, 2.0 * pair.bound * tolerance)) {
       const AngleSpan part{std::max(span.from, angles_.from), std::min(span.to, angles_.to)};
+      int steps = kMostAdvances;
       // No point comes nearer by more than its arm times the angle: what is left of the distance is free.
       for (double t = part.from; t <= part.to;) {
         const double d = distance(t);

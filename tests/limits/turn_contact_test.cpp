@@ -206,6 +206,19 @@ TEST(TurnContact, OfFacesThatSlideInOnePlane) {
   EXPECT_LE(first->angle, kPi / 3.0);
 }
 
+// Edges in one plane all the time, which come to touch along a tangent: end (9, 1.0625) passes the line
+// x = 9.0625 where it is farthest out. (Pair 09232 of experiments/28_turns, whose steps gave out; the angles
+// near zero that a full turn has too were then called contact.)
+TEST(TurnContact, OfATangentInOnePlaneIsNotAtTheStart) {
+  const TriangleMesh ball{{{9, -21.75, 1.0625}, {3.0625, -21.75, 20.4375}, {3, -30, 10}}, {{0, 1, 2}}};
+  const TriangleMesh wall{{{9.0625, -21.75, -12.6875}, {9.0625, -21.75, 9.0625}, {12, -12, 1}}, {{0, 1, 2}}};
+  const BallSocketPair joint{ball, wall};
+  const auto first = Turning{joint, Vec3::UnitY()}.first({0.0, 3.0});
+  ASSERT_TRUE(first);
+  EXPECT_LE(first->angle, 0.11751164543144539);
+  EXPECT_GT(first->angle, 0.11751164543144539 - 1e-3);
+}
+
 TEST(TheoremTurn, SpansHoldAllAnglesThatAreNearZero) {
   for (const Sinusoid& f :
        {Sinusoid{3, -4, 2}, Sinusoid{1, 0, 1}, Sinusoid{0, 0, 1e-4}, Sinusoid{0, 2, -1}}) {
