@@ -182,6 +182,8 @@ BodyPairs::Body::Body(const TriangleMesh& of, bool turns, Is what) {
     moved.emplace(mesh);
   else
     fixed.emplace(mesh);
+  alone = what == Is::surface;
+  if (alone) return;
   find_openings(each);
   hollow = what != Is::part && !turns && openings.empty() && encloses(Vec3::Zero()) == Contact::yes;
   if (what == Is::main && sheet) wound = winding(mesh, turns);
@@ -245,6 +247,7 @@ std::optional<int> BodyPairs::Body::crossings(const Vec3& from, const Vec3& to) 
 }
 
 Contact BodyPairs::Body::holds(const Vec3& x) const {
+  if (alone) return Contact::no;
   const Contact found = encloses(x);
   if (!hollow || found == Contact::unknown) return found;
   return found == Contact::yes ? Contact::no : Contact::yes;
@@ -312,6 +315,15 @@ BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
   for (std::size_t b = 0; b < ball_.size(); ++b) {
     for (std::size_t s = 0; s < socket_.size(); ++s) pairs_.push_back({b, s});
   }
+}
+
+BodyPairs BodyPairs::of_surfaces(const BallSocketPair& surfaces) {
+  BodyPairs pairs;
+  pairs.inside_ = false;
+  pairs.ball_.push_back(std::make_unique<Body>(surfaces.ball, true, Body::Is::surface));
+  pairs.socket_.push_back(std::make_unique<Body>(surfaces.socket, false, Body::Is::surface));
+  pairs.pairs_.push_back({});
+  return pairs;
 }
 
 BodyPairs::Verdict BodyPairs::verdict(const Pair& pair, const Pose& pose) const {

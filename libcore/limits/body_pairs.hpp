@@ -23,6 +23,9 @@
 // met, but radii overlap (gap/overlay.hpp), counts as contact; the answer says so. A turn asks of a sheet
 // where its surface is met, and no more.
 //
+// Surfaces alone, such as a rim and a neck that were cut out of their bones, have no inside: they are in
+// contact where they meet, in a pose as in a turn.
+//
 // Many poses at once. In a rotation within rho of R, R first and then a turn by rho at most, no point p of
 // the ball is farther from R p than s = 2 |p| sin(rho / 2), and a shift adds its length. So if surfaces are
 // farther than s apart under R, they meet in none of these rotations: then each connected piece of one is
@@ -80,6 +83,8 @@ struct NearPoses {
 class BodyPairs {
  public:
   BodyPairs(const BallSocketPair& main, const BoneParts& beside);
+  /// Of surfaces alone (see above), none of them with parts.
+  static BodyPairs of_surfaces(const BallSocketPair& surfaces);
 
   /// Places of two bodies: 0 is the bone with the main surface, k the kth part beside it.
   struct Pair {
@@ -93,8 +98,8 @@ class BodyPairs {
     bool closed = false;                       // the point is inside a body without an opening
   };
 
-  /// Do all bones with main surfaces have an inside? Else radii decide about single poses of them.
-  bool has_inside() const { return !radial_; }
+  /// Do all bones with main surfaces have an inside? Else radii decide about single poses of a sheet.
+  bool has_inside() const { return inside_ && !radial_; }
   /// Main surfaces of which radii decide; null if they have an inside.
   const CulledJoint* radial() const { return radial_ ? &radial_->joint : nullptr; }
   /// Has none of them an opening?
@@ -140,11 +145,12 @@ class BodyPairs {
 
  private:
   struct Body {
-    enum class Is : std::uint8_t { main, whole, part };
+    enum class Is : std::uint8_t { main, whole, part, surface };
     Body(const TriangleMesh& of, bool turns, Is what);
     TurnBody turn;                    // each face once, none without area
     std::optional<MovedFaces> moved;  // the same, of the ball's side
     std::optional<FixedFaces> fixed;  // of the socket's
+    bool alone = false;               // a surface without an inside
     std::vector<Opening> openings;
     TurnBody lids;  // these boxes, of a body that is no sheet
     bool sheet = false;
@@ -179,6 +185,7 @@ class BodyPairs {
     CulledJoint joint;
     CulledOverlay overlay;
   };
+  BodyPairs() = default;
   bool is_main(const Pair& pair) const { return pair.ball + pair.socket == 0; }
   Verdict verdict(const Pair& pair, const Pose& pose) const;
   template <class Ask>
@@ -189,7 +196,8 @@ class BodyPairs {
   std::vector<std::unique_ptr<const Body>> ball_;
   std::vector<std::unique_ptr<const Body>> socket_;
   std::vector<Pair> pairs_;
-  bool main_only_;  // are the bones no more than the main surfaces?
+  bool main_only_ = true;  // are the bones no more than the main surfaces?
+  bool inside_ = true;     // are they more than surfaces alone?
   std::unique_ptr<const Radial> radial_;
 };
 
