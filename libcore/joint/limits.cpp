@@ -159,7 +159,7 @@ CentredLimits::CentredLimits(const Joint& joint, BallSocketPair about, const Vec
                              const Vec3& ball_origin, const JointPlaces& places)
     : meshes(std::move(about)),
       centre(from_centre),
-      limits(rim_of(joint, meshes, from_centre, ball_origin, places)) {}
+      limits(TurnLimits::of_surfaces(rim_of(joint, meshes, from_centre, ball_origin, places))) {}
 
 std::vector<LimitAnswer> answer_limits(Session& session, const LimitRequest& request) {
   largest_of(request);  // refuses what cannot grow

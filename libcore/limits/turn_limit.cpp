@@ -64,7 +64,9 @@ const CulledJoint& TurnLimits::Answers::vertices() {
 TurnLimits::TurnLimits(BallSocketPair joint, const BoneParts& beside)
     : answers_(std::make_unique<Answers>(std::move(joint), beside)) {}
 
-TurnLimits::TurnLimits(CutSurfaces surfaces) : answers_(std::make_unique<Answers>(std::move(surfaces))) {}
+TurnLimits TurnLimits::of_surfaces(CutSurfaces surfaces) {
+  return TurnLimits(std::make_unique<Answers>(std::move(surfaces)));
+}
 
 const TurnGap& TurnLimits::gap(double gap_mm) const {
   const std::lock_guard lock(answers_->making);

@@ -36,6 +36,7 @@
 #include <mutex>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "contact/culled_overlay.hpp"
@@ -89,7 +90,7 @@ class TurnLimits {
  public:
   /// Takes the meshes, and sorts their parts once.
   explicit TurnLimits(BallSocketPair joint, const BoneParts& beside = {});
-  explicit TurnLimits(CutSurfaces surfaces);
+  static TurnLimits of_surfaces(CutSurfaces surfaces);
 
   /// The bracket of the first contact. largest_deg in (0, 360], else std::invalid_argument.
   TurnLimit first_contact(const JointTurn& turn, double largest_deg) const;
@@ -138,6 +139,7 @@ class TurnLimits {
     std::map<std::array<double, 3>, CentreIntervals> intervals;  // by doubt, reach and gap
   };
 
+  explicit TurnLimits(std::unique_ptr<Answers> answers) : answers_(std::move(answers)) {}
   const TurnGap& gap(double gap_mm) const;
   const CentreIntervals& intervals(const CentreQuestion& question) const;
 
