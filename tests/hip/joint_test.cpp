@@ -296,6 +296,11 @@ TEST(JointPlaces, LeaveTheRimAlone) {
   EXPECT_GT(seen[0], 500U);
   EXPECT_GT(seen[1], 500U);
   EXPECT_EQ(rim_in_head(places), std::nullopt);
+  JointPlaces deep = places;
+  deep.rim->points = {
+      Vec3(0.0, 0.0, 40.0), std::nullopt,
+      places.head->centre + Vec3(0.0, places.head->radius - 0.5, 0.0) - places.socket->centre};
+  EXPECT_NEAR(rim_in_head(deep).value(), 0.5, 1e-9);
 }
 
 TEST(JointPlaces, AreNotToldWithoutHeadOrRim) {
