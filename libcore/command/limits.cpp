@@ -42,6 +42,8 @@ std::string row_of(const std::vector<std::string>& cells) {
   return line.erase(line.find_last_not_of(' ') + 1) + "\n";
 }
 
+std::string kind_of(const LimitsAnswer& found) { return found.rim ? "rim alone" : "bone on bone"; }
+
 // Of each motion a line: contact about the ball's centre, and the gap of the cartilage where one is given.
 std::string table_of(const LimitsAnswer& found) {
   const auto with_gap = [](const LimitAnswer& limit) { return limit.told.threshold_mm > 0.0; };
@@ -51,7 +53,7 @@ std::string table_of(const LimitsAnswer& found) {
     return row_of(cells);
   };
   std::string text =
-      row({"limits, degrees", "bone on bone", formatted("centres within %g mm", found.centre_within_mm),
+      row({"limits, degrees", kind_of(found), formatted("centres within %g mm", found.centre_within_mm),
            "o'clock", "gap of cartilage", "what meets, and doubts"});
   for (const LimitAnswer& limit : found.limits) {
     if (with_gap(limit) || limit.centre == "socket") continue;
@@ -107,7 +109,7 @@ std::string details_of(const LimitsAnswer& found) {
   std::string text = "limit               of " + found.limits.front().motion + "\n";
   for (const LimitAnswer& limit : found.limits) {
     std::string label =
-        limit.told.threshold_mm > 0.0 ? formatted("gap of %g mm", limit.told.threshold_mm) : "bone on bone";
+        limit.told.threshold_mm > 0.0 ? formatted("gap of %g mm", limit.told.threshold_mm) : kind_of(found);
     label.resize(std::max(label.size() + 1, std::size_t{20}), ' ');
     text += label + sentence(limit) + ", about the centre of the " + std::string(limit.centre) +
             doubts(limit.told, found.centre_within_mm) + "\n";
@@ -129,7 +131,11 @@ std::string describe(const LimitsAnswer& found) {
   const bool one = std::all_of(found.limits.begin(), found.limits.end(), [&](const LimitAnswer& limit) {
     return limit.motion == found.limits.front().motion;
   });
-  return one ? details_of(found) : table_of(found);
+  std::string text = one ? details_of(found) : table_of(found);
+  if (found.rim_in_head_mm)
+    text += "rim                 in the head as scanned, up to " + rounded_up(*found.rim_in_head_mm, 1) +
+            " mm deep: there it meets the neck late, or not at all; see --overlap\n";
+  return text;
 }
 
 QuestionCommand limits_question() {

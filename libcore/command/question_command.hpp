@@ -89,9 +89,13 @@ struct QuestionCommand {
 /// Where a request has a gap that counts as contact, it says how large it is and which option gave it.
 template <class Request>
 ScanContactOptions scan_contact_of(const Request& request) {
-  if constexpr (requires { request.threshold_mm(); })
-    return {"--ignore-rest-contact", request.threshold_mm(), Request::kThresholdOption};
-  return {.overlap = "--ignore-rest-contact"};
+  ScanContactOptions told{.overlap = "--ignore-rest-contact"};
+  if constexpr (requires { request.threshold_mm(); }) {
+    told.threshold_mm = request.threshold_mm();
+    told.threshold = Request::kThresholdOption;
+  }
+  if constexpr (requires { request.rim; }) told.rim = request.rim;
+  return told;
 }
 
 /// The files that a request names.

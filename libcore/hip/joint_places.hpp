@@ -12,6 +12,11 @@
 //   bone beyond the rim   else
 // It is the same of a whole bone, of one that is cut, and of one that is not named so, such as a cup. Bone
 // that is given beside them has its own name (mesh/mesh_parts.hpp).
+// The rim alone: faces of a socket's bone with a corner that is 0.1 S or less from the rim, 2.5 mm on a
+// socket of 25, and of a ball's bone with a corner off the head, which is trochanter or shaft, or on the side
+// of the neck axis farther off the head's sphere than any place of the head on the other side, within 0.005 R
+// and 0.04 R (our choices): as far as heads of real scans are. So head and floor of the socket, which bear on
+// each other, are not in it.
 #pragma once
 
 #include <optional>
@@ -38,6 +43,15 @@ JointPlaces joint_places(const BallSocketPair& main);
 std::string place_on_ball(const JointPlaces& places, const Vec3& x);
 /// As above; "socket" without a rim.
 std::string place_on_socket(const JointPlaces& places, const Vec3& y);
+
+/// Leaves the faces that the rim alone is of, as above; vertices keep their places. `origin` is that of the
+/// mesh, in the frame of the places. std::invalid_argument, one line, where there are none.
+void leave_rim(const JointPlaces& places, const Vec3& origin, TriangleMesh& socket);
+void leave_off_head(const JointPlaces& places, const Vec3& origin, TriangleMesh& ball);
+
+/// How deep the rim is within the head's sphere, mm; none where it is clear of it. There it meets a neck
+/// late, and a rim without thickness does not meet it.
+std::optional<double> rim_in_head(const JointPlaces& places);
 
 /// What meets what: "rim and neck", "head within the socket", "AIIS and greater trochanter". Both names are
 /// those of places, or of parts.

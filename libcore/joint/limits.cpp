@@ -42,7 +42,7 @@ std::optional<Meeting> meeting_of(const CentredLimits& centred, const JointTurn&
   const auto least = centred.limits.smallest_gap(turn, 0.0);
   if (!least || least->gap_mm > told.threshold_mm) return std::nullopt;
   const bool of_ball = least->at.scanned == Surface::ball;
-  const Vec3& x = (of_ball ? centred.meshes.ball : centred.meshes.socket).vertices[least->at.vertex];
+  const Vec3& x = mesh_of(centred.limits.meshes(), least->at.scanned).vertices[least->at.vertex];
   return Meeting{of_ball ? Vec3(at(0.0) * x) : x, at(0.0), {}, HUGE_VAL};
 }
 
@@ -103,25 +103,32 @@ LimitAnswer answered(Session& session, const LimitRequest& asked, Surface about,
 }
 
 // Of the joint's own meshes about the centre of the ball, and about that of the socket where it has one.
-void make_limits(Session& session, bool about_socket) {
+void make_limits(Session& session, bool about_socket, bool rim) {
   const SessionJoint& joint = *session.joint;
   const Joint& bones = joint.joint;
   if (!session.places)
     session.places =
         joint_places({in_joint_frame(joint, main_surface(bones.ball.mesh, bones.ball.parts)),
                       in_joint_frame(joint, main_surface(bones.socket.mesh, bones.socket.parts))});
-  if (!session.limits) {
-    session.limits =
-        std::make_unique<CentredLimits>(bones,
-                                        BallSocketPair{in_joint_frame(joint, joint.mesh(Surface::ball)),
-                                                       in_joint_frame(joint, joint.mesh(Surface::socket))},
-                                        joint.axes * joint.shift);
+  if (session.limits_of_rim != rim) {
+    session.limits.reset();
+    session.socket_limits.reset();
+    session.limits_of_rim = rim;
   }
+  const auto made = [&](BallSocketPair about, const Vec3& centre, const Vec3& ball_origin) {
+    return rim ? std::make_unique<CentredLimits>(bones, std::move(about), centre, ball_origin,
+                                                 *session.places)
+               : std::make_unique<CentredLimits>(bones, std::move(about), centre);
+  };
+  if (!session.limits)
+    session.limits = made({in_joint_frame(joint, joint.mesh(Surface::ball)),
+                           in_joint_frame(joint, joint.mesh(Surface::socket))},
+                          joint.axes * joint.shift, Vec3::Zero());
   if (!about_socket || session.socket_limits || !session.places->socket) return;
   const Vec3& centre = session.places->socket->centre;
   const BallSocketPair& meshes = session.limits->meshes;
-  session.socket_limits = std::make_unique<CentredLimits>(
-      bones, BallSocketPair{relative_to(meshes.ball, centre), relative_to(meshes.socket, centre)}, centre);
+  session.socket_limits =
+      made({relative_to(meshes.ball, centre), relative_to(meshes.socket, centre)}, centre, centre);
 }
 
 }  // namespace
@@ -132,11 +139,33 @@ CentredLimits::CentredLimits(const Joint& joint, BallSocketPair about, const Vec
       limits({main_surface(meshes.ball, joint.ball.parts), main_surface(meshes.socket, joint.socket.parts)},
              bone_parts({meshes.ball, joint.ball.parts}, {meshes.socket, joint.socket.parts})) {}
 
+// The surfaces of the rim alone.
+static CutSurfaces rim_of(const Joint& joint, const BallSocketPair& meshes, const Vec3& origin,
+                          const Vec3& ball_origin, const JointPlaces& places) {
+  CutSurfaces cut;
+  in_field("rim", [&] {
+    cut.met = {whole_main(meshes.ball, joint.ball.parts), whole_main(meshes.socket, joint.socket.parts)};
+    cut.main.ball = main_surface(meshes.ball, joint.ball.parts);
+    if (cut.main.ball.faces.size() == cut.met.ball.faces.size()) cut.uncut = cut.main.ball;
+    leave_rim(places, origin, cut.met.socket);
+    leave_off_head(places, ball_origin, cut.met.ball);
+    leave_off_head(places, ball_origin, cut.main.ball);
+    cut.main.socket = cut.met.socket;
+  });
+  return cut;
+}
+
+CentredLimits::CentredLimits(const Joint& joint, BallSocketPair about, const Vec3& from_centre,
+                             const Vec3& ball_origin, const JointPlaces& places)
+    : meshes(std::move(about)),
+      centre(from_centre),
+      limits(TurnLimits::of_surfaces(rim_of(joint, meshes, from_centre, ball_origin, places))) {}
+
 std::vector<LimitAnswer> answer_limits(Session& session, const LimitRequest& request) {
   largest_of(request);  // refuses what cannot grow
   shift_ball(session, request.translation);
   const bool shifted = !request.translation.isZero(0.0);
-  make_limits(session, !shifted);
+  make_limits(session, !shifted, request.rim);
   std::vector<LimitAnswer> limits{answered(session, request, Surface::ball, 0.0)};
   if (!shifted && session.socket_limits) limits.push_back(answered(session, request, Surface::socket, 0.0));
   if (request.cartilage_mm > 0.0)
@@ -168,7 +197,7 @@ void LimitsRequest::check() const {
 
 LimitsAnswer answer(Session& session, const LimitsRequest& request) {
   request.check();
-  LimitsAnswer answer{.centre_within_mm = kErrorOfInput, .limits = {}};
+  LimitsAnswer answer{.centre_within_mm = kErrorOfInput, .rim = request.rim, .limits = {}};
   for (const NamedMotion& motion : named_motions()) {
     const bool named =
         std::find(request.motions.begin(), request.motions.end(), motion.name) != request.motions.end();
@@ -178,7 +207,8 @@ LimitsAnswer answer(Session& session, const LimitsRequest& request) {
                            .motion = motion.name,
                            .largest_deg = request.largest_deg,
                            .translation = request.translation.value_or(Vec3::Zero()),
-                           .cartilage_mm = request.cartilage_mm};
+                           .cartilage_mm = request.cartilage_mm,
+                           .rim = request.rim};
     try {
       for (LimitAnswer& limit : answer_limits(session, one)) answer.limits.push_back(std::move(limit));
     } catch (...) {
@@ -187,6 +217,7 @@ LimitsAnswer answer(Session& session, const LimitsRequest& request) {
     }
   }
   shift_ball(session, Vec3::Zero());  // other questions are about the joint as it lies
+  if (request.rim && session.places) answer.rim_in_head_mm = rim_in_head(*session.places);
   return answer;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far a session's joint turns: limits of the meshes themselves, found without steps that could jump over
-// a contact (limits/told_limit.hpp), and the smallest gaps on the way, by the tables.
+// a contact (limits/told_limit.hpp), and the smallest gaps on the way, by the tables. Limits of the rim alone
+// are those of contact, and of gaps, of the faces that hip/joint_places.hpp says: of scans whose head and
+// socket overlap, they tell where the rim would meet neck, trochanter or shaft.
 #pragma once
 
 #include <optional>
@@ -23,6 +25,7 @@ struct LimitRequest {
   double largest_deg = 360.0;       // of the growth; cut to largest_growth() (hip/motion.hpp)
   Vec3 translation = Vec3::Zero();  // shift of the ball, mm, input frame
   double cartilage_mm = 0.0;        // both layers together; 0: contact alone
+  bool rim = false;                 // of the rim alone
 };
 
 /// The smallest gap at each step to the largest angle, by the tables.
@@ -39,6 +42,7 @@ struct LimitsRequest {
   double largest_deg = 360.0;
   std::optional<Vec3> translation;
   double cartilage_mm = 0.0;
+  bool rim = false;
 
   static constexpr std::tuple fields{
       Field{"motions", "",
@@ -53,7 +57,11 @@ struct LimitsRequest {
             &LimitsRequest::translation},
       Field{"cartilage_mm", "mm",
             "thickness of both layers together: where the gap falls to it, too; 0: contact alone",
-            &LimitsRequest::cartilage_mm, kNotNegative}};
+            &LimitsRequest::cartilage_mm, kNotNegative},
+      Field{"rim", "",
+            "the rim alone: where the socket's bone within 2.5 mm of its rim (a tenth of its radius) meets "
+            "neck, trochanter or shaft; head, floor of the socket and parts may touch, as scanned too",
+            &LimitsRequest::rim}};
   /// std::invalid_argument for a motion that there is not, and for a pose of one that has its own.
   void check() const;
   /// Gaps up to this are asked about, too.
@@ -143,11 +151,19 @@ std::vector<LimitAnswer> answer_limits(Session& session, const LimitRequest& req
 
 struct LimitsAnswer {
   double centre_within_mm = 0.0;
+  bool rim = false;
+  std::optional<double> rim_in_head_mm{};
   std::vector<LimitAnswer> limits;
 
   static constexpr std::tuple fields{
       Field{"centre_within_mm", "mm", "how far off centres and play may be in the ranges",
             &LimitsAnswer::centre_within_mm},
+      Field{"rim", "", "of the rim alone? Else of all bone", &LimitsAnswer::rim},
+      Field{
+          "rim_in_head_mm", "mm",
+          "of the rim alone: how deep the rim lies in the head as scanned; it meets the neck late there, or "
+          "not at all. Null: nowhere",
+          &LimitsAnswer::rim_in_head_mm},
       Field{"limits", "", "of each motion: contact about both centres, and the gap of the cartilage",
             &LimitsAnswer::limits}};
 };

@@ -105,6 +105,10 @@ struct SessionTables {
 /// Turns of a joint about one centre, which the meshes are about, in the axes of the joint frame.
 struct CentredLimits {
   CentredLimits(const Joint& joint, BallSocketPair about, const Vec3& from_centre);
+  /// Of the rim alone (hip/joint_places.hpp); `ball_origin` is that of the ball's mesh, likewise. Throws
+  /// std::invalid_argument without a rim or a neck.
+  CentredLimits(const Joint& joint, BallSocketPair about, const Vec3& from_centre, const Vec3& ball_origin,
+                const JointPlaces& places);
 
   BallSocketPair meshes;  // mm
   Vec3 centre;            // mm from the joint's
@@ -129,6 +133,7 @@ struct Session {
   /// Made when first asked for: about the centre of the ball, and about that of the socket where it has one.
   std::unique_ptr<CentredLimits> limits;
   std::unique_ptr<CentredLimits> socket_limits;
+  bool limits_of_rim = false;         // are these of the rim alone?
   std::optional<JointPlaces> places;  // likewise; joint frame, about the joint's centre
 };
 

@@ -140,8 +140,9 @@ std::string describe_contact(const TouchAnswer& found, const std::string& pose,
       overlap ? ", " + rounded_up(-gap->gap_mm, 3) + " mm deep along a ray" + place_of(*gap) : "";
   const std::string on_top =
       overlap && !options.overlap.empty() ? "; " + options.overlap + " asks for what comes on top" : "";
-  return both_of(found.contact) + " touch " + pose + depth +
-         ": what begins there is blocked; check the centre, the frame and the segmentation of both (a head "
+  const std::string blocked = options.rim ? "blocked where the rim itself touches neck or shaft" : "blocked";
+  return both_of(found.contact) + " touch " + pose + depth + ": what begins there is " + blocked +
+         "; check the centre, the frame and the segmentation of both (a head "
          "and a liner of one nominal radius need their play)" +
          on_top;
 }

@@ -121,6 +121,7 @@ struct ScanContactOptions {
   std::string overlap{};      // what makes an overlap no contact (JointInput::overlap_mm)
   double threshold_mm = 0.0;  // gaps of this size or less are asked about, too; 0: none are
   std::string threshold{};    // the option that gave it
+  bool rim = false;           // is only the rim alone asked about (joint/limits.hpp)?
 };
 
 /// Contact in the pose of the scan, where no bones are in one another: every motion that begins there is

@@ -159,6 +159,8 @@ BodyPairs::Body::Body(const TriangleMesh& of, bool turns, Is what) {
     moved.emplace(mesh);
   else
     fixed.emplace(mesh);
+  alone = what == Is::surface;
+  if (alone) return;
   find_openings(each);
   hollow = what != Is::part && !turns && openings.empty() && encloses(Vec3::Zero()) == Contact::yes;
   if (what == Is::main && sheet) wound = winding(mesh, turns);
@@ -222,6 +224,7 @@ std::optional<int> BodyPairs::Body::crossings(const Vec3& from, const Vec3& to) 
 }
 
 Contact BodyPairs::Body::holds(const Vec3& x) const {
+  if (alone) return Contact::no;
   const Contact found = encloses(x);
   if (!hollow || found == Contact::unknown) return found;
   return found == Contact::yes ? Contact::no : Contact::yes;
@@ -282,7 +285,6 @@ BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
     auto& bodies = ball ? ball_ : socket_;
     bodies.push_back(std::make_unique<Body>(whole ? *whole : mesh_of(main, kSurfaces[k]), ball,
                                             whole ? Body::Is::whole : Body::Is::main));
-    bodies[0]->find_main(mesh_of(main, kSurfaces[k]));
     for (const TriangleMesh& part : ball ? beside.ball : beside.socket)
       bodies.push_back(std::make_unique<Body>(part, ball, Body::Is::part));
   });
@@ -312,6 +314,15 @@ void BodyPairs::Body::find_main(const TriangleMesh& main) {
     of_main[k] = node.leaf ? all.count(key(faces().parts()[node.at].corner)) > 0
                            : of_main[node.at] && of_main[node.at + 1];
   }
+}
+
+BodyPairs BodyPairs::of_surfaces(const BallSocketPair& surfaces) {
+  BodyPairs pairs;
+  pairs.inside_ = false;
+  pairs.ball_.push_back(std::make_unique<Body>(surfaces.ball, true, Body::Is::surface));
+  pairs.socket_.push_back(std::make_unique<Body>(surfaces.socket, false, Body::Is::surface));
+  pairs.pairs_.push_back({});
+  return pairs;
 }
 
 BodyPairs::Verdict BodyPairs::verdict(const Pair& pair, const Pose& pose) const {
@@ -403,7 +414,7 @@ std::optional<BodyPairs::Pair> BodyPairs::first_that(const NearPoses& poses, boo
     const Body& ball = *ball_[pair.ball];
     const Body& socket = *socket_[pair.socket];
     NearBodies::Told told;
-    if (by_radii && is_main(pair))
+    if (by_radii && is_main(pair) && !ball.of_main.empty())
       told = [&](std::uint32_t a, std::uint32_t b) { return ball.of_main[a] && socket.of_main[b]; };
     const NearBodies near(poses, is_main(pair) ? 0.0 : poses.gap_mm);
     if (meet(near, ball.faces(), socket.faces(), told) || may_hold(ball, socket, poses)) return pair;
@@ -428,8 +439,9 @@ std::optional<std::vector<ClosePair>> BodyPairs::close(const NearPoses& poses, b
   return found;
 }
 
-void BodyPairs::find_inner_balls() {
+void BodyPairs::find_inner_balls(const BallSocketPair& main) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
+    (kSurfaces[k] == Surface::ball ? ball_ : socket_)[0]->find_main(mesh_of(main, kSurfaces[k]));
     for (const auto& body : kSurfaces[k] == Surface::ball ? ball_ : socket_) {
       const auto to_opening = [&](const Vec3& x) {
         double least = HUGE_VAL;

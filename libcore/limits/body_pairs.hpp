@@ -23,6 +23,9 @@
 // met, but radii overlap (gap/overlay.hpp), counts as contact; the answer says so. A turn asks of a sheet
 // where its surface is met, and no more.
 //
+// Surfaces alone, such as a rim and a neck that were cut out of their bones, have no inside: they are in
+// contact where they meet, in a pose as in a turn.
+//
 // Many poses at once (limits/near_poses.hpp). If surfaces meet in none of them, each connected piece of one
 // is inside the other in all of them or in none, which one of its points tells. And where a point of a
 // surface stays in an inner ball of the other body, they are in contact in all of them. Theorem 11 (contact).
@@ -69,6 +72,8 @@ struct Opening {
 class BodyPairs {
  public:
   BodyPairs(const BallSocketPair& main, const BoneParts& beside);
+  /// Of surfaces alone (see above), none of them with parts.
+  static BodyPairs of_surfaces(const BallSocketPair& surfaces);
 
   /// Places of two bodies: 0 is the bone with the main surface, k the kth part beside it.
   struct Pair {
@@ -82,8 +87,8 @@ class BodyPairs {
     bool closed = false;                       // the point is inside a body without an opening
   };
 
-  /// Do all bones with main surfaces have an inside? Else radii decide about single poses of them.
-  bool has_inside() const { return !radial_; }
+  /// Do all bones with main surfaces have an inside? Else radii decide about single poses of a sheet.
+  bool has_inside() const { return inside_ && !radial_; }
   /// Main surfaces of which radii decide; null if they have an inside.
   const CulledJoint* radial() const { return radial_ ? &radial_->joint : nullptr; }
   /// Has none of them an opening?
@@ -108,8 +113,8 @@ class BodyPairs {
   /// The faces that may meet in one of them, where bodies are apart in the middle; none if that is not
   /// proven, or they are more than `most`.
   std::optional<std::vector<ClosePair>> close(const NearPoses& poses, bool by_radii, std::size_t most) const;
-  /// Makes overlap() ready, which takes a while.
-  void find_inner_balls();
+  /// Makes overlap() ready, which takes a while. `main` as given before.
+  void find_inner_balls(const BallSocketPair& main);
   /// Is a point of one inside another body, or within the gap of it, in all of the poses? Yes is proven. No
   /// before find_inner_balls().
   bool overlap(const NearPoses& poses, bool by_radii = false) const;
@@ -136,11 +141,12 @@ class BodyPairs {
 
  private:
   struct Body {
-    enum class Is : std::uint8_t { main, whole, part };
+    enum class Is : std::uint8_t { main, whole, part, surface };
     Body(const TriangleMesh& of, bool turns, Is what);
     TurnBody turn;                    // each face once, none without area
     std::optional<MovedFaces> moved;  // the same, of the ball's side
     std::optional<FixedFaces> fixed;  // of the socket's
+    bool alone = false;               // a surface without an inside
     std::vector<Opening> openings;
     TurnBody lids;  // these boxes, of a body that is no sheet
     bool sheet = false;
@@ -166,6 +172,7 @@ class BodyPairs {
     CulledJoint joint;
     CulledOverlay overlay;
   };
+  BodyPairs() = default;
   bool is_main(const Pair& pair) const { return pair.ball + pair.socket == 0; }
   Verdict verdict(const Pair& pair, const Pose& pose) const;
   template <class Ask>
@@ -181,7 +188,8 @@ class BodyPairs {
   std::vector<std::unique_ptr<Body>> ball_;
   std::vector<std::unique_ptr<Body>> socket_;
   std::vector<Pair> pairs_;
-  bool main_only_;  // are the bones no more than the main surfaces?
+  bool main_only_ = true;  // are the bones no more than the main surfaces?
+  bool inside_ = true;     // are they more than surfaces alone?
   std::unique_ptr<const Radial> radial_;
 };
 

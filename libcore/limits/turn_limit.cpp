@@ -36,6 +36,19 @@ TurnLimits::Answers::Answers(BallSocketPair joint, const BoneParts& beside)
       ball(meshes.ball),
       socket(meshes.socket) {}
 
+TurnLimits::Answers::Answers(CutSurfaces surfaces)
+    : bodies(BodyPairs::of_surfaces(surfaces.met)),
+      meshes{without_edge_on(std::move(surfaces.main.ball)),
+             without_edge_on(std::move(surfaces.main.socket))},
+      seen(surface_vertices(meshes.socket)),
+      ball(meshes.ball),
+      socket(meshes.socket) {
+  if (boundary_edges(surfaces.uncut).empty()) return;
+  uncut = without_edge_on(std::move(surfaces.uncut));
+  ends = boundary_edges(uncut);
+  whole.emplace(uncut, 0.0);
+}
+
 static bool as_many_faces(const BallSocketPair& a, const BallSocketPair& b) {
   return a.ball.faces.size() == b.ball.faces.size() && a.socket.faces.size() == b.socket.faces.size();
 }
@@ -50,6 +63,10 @@ const CulledJoint& TurnLimits::Answers::vertices() {
 
 TurnLimits::TurnLimits(BallSocketPair joint, const BoneParts& beside)
     : answers_(std::make_unique<Answers>(std::move(joint), beside)) {}
+
+TurnLimits TurnLimits::of_surfaces(CutSurfaces surfaces) {
+  return TurnLimits(std::make_unique<Answers>(std::move(surfaces)));
+}
 
 const TurnGap& TurnLimits::gap(double gap_mm) const {
   const std::lock_guard lock(answers_->making);
@@ -133,17 +150,18 @@ void TurnLimits::make_limited(const JointTurn& turn, double angle, const TurnCon
 void TurnLimits::end_of_mesh(const JointTurn& turn, double largest, const std::optional<double>& certain,
                              TurnLimit& limit) const {
   if (answers_->ends.empty()) return;
-  const BallSocketPair& meshes = answers_->meshes;
+  const NearFaces& ball = answers_->ball_faces();
+  const std::vector<Vec3>& socket = answers_->meshes.socket.vertices;
   const Eigen::Matrix3d upright = rotation_to_z(turn.axis);
   const Eigen::Matrix3d ball_turn = upright * turn.inner;
   const Eigen::Matrix3d socket_turn = upright * turn.outer.transpose();
   MeshEnd end;
   end.border = answers_->ends;
-  for (const Vec3& x : meshes.ball.vertices) end.ball.push_back(ball_turn * x);
-  for (const VertexIndex v : answers_->seen) end.socket.push_back(socket_turn * meshes.socket.vertices[v]);
+  for (const Vec3& x : ball.mesh().vertices) end.ball.push_back(ball_turn * x);
+  for (const VertexIndex v : answers_->seen) end.socket.push_back(socket_turn * socket[v]);
   end.covered = [&](std::size_t point, double angle) {
-    const Vec3& y = meshes.socket.vertices[answers_->seen[point]];
-    return !std::isnan(answers_->vertices().gap(Surface::socket, to_ball(pose_at(turn, angle), y)));
+    const Vec3 y = to_ball(pose_at(turn, angle), socket[answers_->seen[point]]);
+    return !y.isZero(0.0) && !std::isnan(ball.radius(y.normalized(), Layer::farthest));
   };
   const auto beyond = first_beyond(end, certain.value_or(largest));
   if (!beyond) return;

@@ -11,7 +11,8 @@
 /// Contact is that of bones: of the ball's whole bone and its parts with those of the socket. A threshold of
 /// the gap is about the vertices of both main surfaces, as the thesis' scans are: between vertices a gap may
 /// be smaller by about the sagitta of a face. These are the meshes without faces that are edge-on at rest
-/// (mesh/surface_vertices.hpp). The limit of a threshold is no larger than that of contact.
+/// (mesh/surface_vertices.hpp). The limit of a threshold is no larger than that of contact. Both may be asked
+/// of surfaces alone that were cut out of the bones.
 ///
 /// The bracket is about 1e-7 degrees wide, and wider only after a graze: parts come so near that doubles
 /// cannot tell whether they touch, and the exact test finds no contact. Then low stays at the
@@ -35,6 +36,7 @@
 #include <mutex>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "contact/culled_overlay.hpp"
@@ -75,12 +77,20 @@ struct TurnLimit {
   std::optional<double> leaves_mesh_deg;
 };
 
+/// Surfaces that were cut out of the bones of a joint, to be asked about alone (body_pairs.hpp).
+struct CutSurfaces {
+  BallSocketPair met;   // of which contact is
+  BallSocketPair main;  // of which gaps are: what of these is of the main surfaces
+  TriangleMesh uncut;   // the ball's main surface, whose mesh may end; no faces: its bone goes on
+};
+
 /// A joint whose turns are asked for. Meshes in one frame whose origin is the centre of both, mm: shift the
 /// ball beforehand where needed, as to the socket's own centre.
 class TurnLimits {
  public:
   /// Takes the meshes, and sorts their parts once.
   explicit TurnLimits(BallSocketPair joint, const BoneParts& beside = {});
+  static TurnLimits of_surfaces(CutSurfaces surfaces);
 
   /// The bracket of the first contact. largest_deg in (0, 360], else std::invalid_argument.
   TurnLimit first_contact(const JointTurn& turn, double largest_deg) const;
@@ -91,6 +101,9 @@ class TurnLimits {
   /// Where the limit, one of the above, may be for another centre.
   CentreInterval centre_interval(const JointTurn& turn, const TurnLimit& limit, double largest_deg,
                                  const CentreQuestion& question) const;
+
+  /// The surfaces that gaps are of.
+  const BallSocketPair& meshes() const { return answers_->meshes; }
 
   /// Smallest gap of a vertex of the main surfaces at that angle; none where no vertex meets the other
   /// surface.
@@ -109,19 +122,24 @@ class TurnLimits {
 
   struct Answers {
     Answers(BallSocketPair joint, const BoneParts& beside);
+    explicit Answers(CutSurfaces surfaces);
     const CulledJoint& vertices();  // made when first asked for
+    const NearFaces& ball_faces() { return whole ? *whole : vertices().faces(Surface::ball); }
     BodyPairs bodies;               // made before the meshes are taken
     BallSocketPair meshes;          // the main surfaces, without their edge-on faces
     std::vector<Edge> ends;         // of the ball's mesh, where its bone is not closed
     std::vector<VertexIndex> seen;  // of the socket: those of its faces
     TurnBody ball;                  // of the main surfaces
     TurnBody socket;
-    std::mutex making;  // of what follows, when it is first asked for
+    TriangleMesh uncut;              // of cut surfaces: the ball's, if its mesh ends
+    std::optional<NearFaces> whole;  // that
+    std::mutex making;               // of what follows, when it is first asked for
     std::optional<CulledJoint> culled;
     std::map<double, TurnGap> gaps;
     std::map<std::array<double, 3>, CentreIntervals> intervals;  // by doubt, reach and gap
   };
 
+  explicit TurnLimits(std::unique_ptr<Answers> answers) : answers_(std::move(answers)) {}
   const TurnGap& gap(double gap_mm) const;
   const CentreIntervals& intervals(const CentreQuestion& question) const;
 

@@ -151,7 +151,7 @@ CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question, co
     const Surface of = kSurfaces[k];
     sides_[k] = std::make_unique<const Side>(mesh_of(joint, of), facing_layer(of), question);
   });
-  bodies_.find_inner_balls();
+  bodies_.find_inner_balls(joint);
   const SeenSurface& socket = surface(Surface::socket);
   least_ball_ = grown_ball().least_radius() - growth_;
   least_socket_ = socket.least_radius();

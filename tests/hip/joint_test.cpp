@@ -6,9 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <random>
+#include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -247,6 +251,58 @@ TEST(JointPlaces, DivideTheSocketByItsRim) {
   }
 }
 
+// Of a generated hip: both sides of the wall at the rim, and neck with shaft from where they leave the head.
+TEST(JointPlaces, LeaveTheRimAlone) {
+  HipParameters parameters = hip_preset("cam");
+  parameters.wall_thickness = 4.0;
+  const Hip hip = make_hip(parameters, 6000);
+  const HipSurface surface = hip_surface(parameters);
+  const Vec3 origin(3.0, -2.0, 1.0);  // of the meshes
+  const JointPlaces places = joint_places({relative_to(hip.ball, -origin), relative_to(hip.socket, -origin)});
+  TriangleMesh rim = hip.socket;
+  leave_rim(places, origin, rim);
+  TriangleMesh neck = hip.ball;
+  leave_off_head(places, origin, neck);
+  const auto faces_of = [](const TriangleMesh& mesh) {
+    return std::set<Face>(mesh.faces.begin(), mesh.faces.end());
+  };
+  const auto of_rim = faces_of(rim);
+  std::vector<Vec3> on_rim;
+  for (int k = 0; k < 720; ++k) {
+    const double hours = k / 60.0;
+    const Vec3 u = clock_direction(-surface.opening, surface.rim_clock, rim_polar(surface, hours), hours);
+    on_rim.emplace_back(surface.socket_centre + inner_radius(surface, u) * u);
+  }
+  std::array<std::size_t, 2> seen{};
+  for (const Face& face : hip.socket.faces) {
+    double least = HUGE_VAL;  // from the rim
+    for (const VertexIndex v : face)
+      for (const Vec3& p : on_rim) least = std::min(least, (hip.socket.vertices[v] - p).norm());
+    if (std::abs(least - 0.1 * places.socket->radius) < 0.3) continue;
+    EXPECT_EQ(of_rim.contains(face), least < 0.1 * places.socket->radius);
+    ++seen[of_rim.contains(face) ? 1 : 0];
+  }
+  EXPECT_GT(seen[0], 500U);
+  EXPECT_GT(seen[1], 500U);
+  const auto of_neck = faces_of(neck);
+  seen = {};
+  for (const Face& face : hip.ball.faces) {
+    double farthest = 0.0;
+    for (const VertexIndex v : face) farthest = std::max(farthest, hip.ball.vertices[v].norm());
+    if (std::abs(farthest - 1.005 * surface.head_radius) < 0.1) continue;
+    EXPECT_EQ(of_neck.contains(face), farthest > surface.head_radius + 0.1);
+    ++seen[of_neck.contains(face) ? 1 : 0];
+  }
+  EXPECT_GT(seen[0], 500U);
+  EXPECT_GT(seen[1], 500U);
+  EXPECT_EQ(rim_in_head(places), std::nullopt);
+  JointPlaces deep = places;
+  deep.rim->points = {
+      Vec3(0.0, 0.0, 40.0), std::nullopt,
+      places.head->centre + Vec3(0.0, places.head->radius - 0.5, 0.0) - places.socket->centre};
+  EXPECT_NEAR(rim_in_head(deep).value(), 0.5, 1e-9);
+}
+
 TEST(JointPlaces, AreNotToldWithoutHeadOrRim) {
   const TriangleMesh face{{{30, 0, 1}, {30, 2, 4}, {30, -2, 4}}, {{0, 1, 2}}};
   const JointPlaces none = joint_places({face, face});
@@ -256,6 +312,12 @@ TEST(JointPlaces, AreNotToldWithoutHeadOrRim) {
   const JointPlaces closed = joint_places({round, icosphere(24.0, 3)});
   EXPECT_EQ(place_on_ball(closed, {0, 0, 21}), "head") << "a bump";
   EXPECT_EQ(place_on_socket(closed, {0, 0, 24}), "socket");
+  for (const JointPlaces& places : {none, closed}) {
+    TriangleMesh socket = icosphere(24.0, 3);
+    EXPECT_THROW(leave_rim(places, Vec3::Zero(), socket), std::invalid_argument);
+  }
+  TriangleMesh ball = round;
+  EXPECT_THROW(leave_off_head(closed, Vec3::Zero(), ball), std::invalid_argument);
 }
 
 TEST(JointPlaces, MakeWords) {

@@ -317,7 +317,7 @@ TEST(BodyPairs, CountAFaceOnce) {
     twice.faces.push_back(bone.faces[k]);
     if (k % 2 == 0) std::swap(twice.faces.back()[0], twice.faces.back()[1]);
     BodyPairs pairs(main, {{inner}, {twice}});
-    pairs.find_inner_balls();
+    pairs.find_inner_balls(main);
     EXPECT_EQ(verdict(pairs).contact, Contact::yes) << k;
     EXPECT_EQ(verdict_of(speck(kFar + Vec3(0, 0, 9)), twice).contact, Contact::no) << k;
     EXPECT_TRUE(pairs.overlap({.turn = 0.01})) << k;
@@ -487,7 +487,7 @@ TEST_P(TheoremContactInManyRotations, HoldInEveryOne) {
         test::moved(icosphere(6.0, 1), {30.0, 40.0, 95.0}));  // to come behind the cut
   }
   BodyPairs pairs(hips.main, hips.beside);
-  pairs.find_inner_balls();
+  pairs.find_inner_balls(hips.main);
   test::Dice dice(3);
   std::size_t apart = 0;
   std::size_t overlap = 0;
@@ -532,7 +532,7 @@ TEST(BodyPairs, AreToldApartUntilTheyAreNear) {
     EXPECT_EQ(met->socket, 1U);
   }
   BodyPairs inside(main, {{at(2.0, 0.0)}, {at(9.0, 0.0)}});
-  inside.find_inner_balls();
+  inside.find_inner_balls(main);
   EXPECT_TRUE(inside.overlap({.turn = 0.1}));
   EXPECT_TRUE(inside.may_meet({.turn = 0.01})) << "its surface is nowhere near";
   EXPECT_FALSE(inside.overlap({.turn = 0.4}));
@@ -571,7 +571,7 @@ TEST(BodyPairs, AreWithinAGapOfSpheresInClosedForm) {
     const double farthest = distance(between + turn);
     const double motion = 2.0 * (std::max(far[0], far[1]) + 6.0) * std::sin(0.5 * turn);
     BodyPairs pairs(main, {{part[0]}, {part[1]}});
-    pairs.find_inner_balls();
+    pairs.find_inner_balls(main);
     const NearPoses poses{.turn = turn, .gap_mm = gap};
     const bool apart = !pairs.may_meet(poses);
     const bool touch = pairs.overlap(poses);
@@ -630,7 +630,7 @@ TEST(BodyPairs, AreNearestInClosedForm) {
 TEST(TheoremContact, AreWithinAGapWhereCgalSays) {
   const Hips hips;
   BodyPairs pairs(hips.main, hips.beside);
-  pairs.find_inner_balls();
+  pairs.find_inner_balls(hips.main);
   test::Dice dice(11);
   std::size_t clear = 0;
   std::size_t within = 0;

@@ -20,6 +20,7 @@ FINEST = 6e-4  # degrees, the last step towards an end that holds for every cent
 QUESTIONS = [
     ("measure", {}, 1e-6),
     ("limits", {}, FINEST),
+    ("limits", {"motions": ["flexion", "fadir"], "rim": True}, FINEST),
     ("limits", {"motions": ["flexion", "abduction"], "pose": "internal_rotation=5", "cartilage_mm": 2}, FINEST),
     ("certify", {"pose": "flexion=80"}, 1e-6),
     ("certify", {"pose": "flexion=80", "motion": "internal_rotation"}, 1e-6),

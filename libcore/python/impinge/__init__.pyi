@@ -201,6 +201,8 @@ class Limit(TypedDict):
 
 class LimitsAnswer(TypedDict):
     centre_within_mm: float  # how far off centres and play may be in the ranges (mm)
+    rim: bool  # of the rim alone? Else of all bone
+    rim_in_head_mm: float | None  # of the rim alone: how deep the rim lies in the head as scanned; it meets the neck late there, or not at all. Null: nowhere (mm)
     limits: list[Limit]  # of each motion: contact about both centres, and the gap of the cartilage
 
 class VolumeAnswerMotion(TypedDict):
@@ -446,7 +448,7 @@ class Joint:
     # From the schemas of requests: stubs.py.
     def limits(
         self, motions: str | Sequence[str] = ..., pose: Poses | None = ..., largest_deg: float = ...,
-        translation: list[float] | None = ..., cartilage_mm: float = ...
+        translation: list[float] | None = ..., cartilage_mm: float = ..., rim: bool = ...
     ) -> LimitsAnswer:
         """How far the joint turns before its bones meet, what meets what, and over which centres that holds. As
         `impinge limits`; each argument and key: help()."""
