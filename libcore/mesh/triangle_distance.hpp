@@ -43,8 +43,6 @@ inline double squared_distance_to_triangle(const Vec3& p, const Vec3& a, const V
   return squared_distance_to_sides(p, a, b, c);
 }
 
-
-
 /// A point between a and b, the nearest one to p up to rounding.
 inline Vec3 nearest_point(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
@@ -52,8 +50,8 @@ inline Vec3 nearest_point(const Vec3& p, const Vec3& a, const Vec3& b) {
   return a + (squared > 0.0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0.0) * along;
 }
 
-/// A point of the triangle, the nearest one to p up to rounding: however thin the triangle is, it is one of its
-/// points up to the rounding of lengths.
+/// A point of the triangle, the nearest one to p up to rounding: however thin the triangle is, it is one of
+/// its points up to the rounding of lengths.
 inline Vec3 nearest_point(const Vec3& p, const Triangle& of) {
   const auto& [a, b, c] = of;
   const Vec3 normal = (b - a).cross(c - a);

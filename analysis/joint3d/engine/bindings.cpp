@@ -79,7 +79,8 @@ val ask_sweep(const val& request) {
   const LimitRequest limits = limit_request(request);
   const double step_deg = step_request(request);
   const Sweep found = sweep(session(), limits, step_deg);
-  val reply = val_of(json_of(LimitsAnswer{.centre_within_mm = kErrorOfInput, .limits = answer_limits(session(), limits)}));
+  val reply = val_of(
+      json_of(LimitsAnswer{.centre_within_mm = kErrorOfInput, .limits = answer_limits(session(), limits)}));
   reply.set("angles", float_array(found.angles));
   reply.set("smallest", float_array(found.smallest));
   return reply;
