@@ -337,17 +337,22 @@ InnerBalls::InnerBalls(const SweptParts& faces, const BodyInside& inside) {
   const TouchingBalls touching(faces);
   const double finest = kNear.back() * size;
   std::vector<TouchingBall> balls;
+  const auto measured = [&](const Vec3& v, const Vec3& c) -> std::optional<TouchingBall> {
+    if (!inside.holds(c)) return std::nullopt;
+    const auto nearest = nearest_within(faces, c, HUGE_VAL);
+    TouchingBall ball{v, c, std::min((*nearest - c).norm(), inside.to_opening(c))};
+    faces.visit_near(c, ball.radius, [&](std::uint32_t f) {
+      ball.radius = std::min(ball.radius, least_distance(c, faces.parts()[f]));
+    });
+    ball.radius -= kRounding * (c.norm() + size);
+    return ball;
+  };
   const auto take = [&](const Vec3& v, const Vec3& side) {
     // A little below the surface, whose faces are not quite as smooth as balls.
-    TouchingBall ball = touching.at(v + 0.5 * finest * side, side);
-    if (ball.radius <= finest || !inside.holds(ball.centre)) return false;
-    ball.radius = std::min(ball.radius * (1.0 + kTouches), inside.to_opening(ball.centre));
-    faces.visit_near(ball.centre, ball.radius, [&](std::uint32_t f) {
-      ball.radius = std::min(ball.radius, least_distance(ball.centre, faces.parts()[f]));
-    });
-    ball.radius -= kRounding * (ball.centre.norm() + size);
-    if (ball.radius > finest) balls.push_back(ball);
-    return true;
+    const TouchingBall touches = touching.at(v + 0.5 * finest * side, side);
+    const auto ball = touches.radius > finest ? measured(v, touches.centre) : std::nullopt;
+    if (ball && ball->radius > finest) balls.push_back(*ball);
+    return ball.has_value();
   };
   const std::size_t step = 1 + faces.parts().size() / kMostAsked;
   std::vector<TouchingBall> bare;
@@ -363,6 +368,10 @@ InnerBalls::InnerBalls(const SweptParts& faces, const BodyInside& inside) {
   if (balls.empty()) balls = std::move(bare);
   std::stable_sort(balls.begin(), balls.end(),
                    [](const TouchingBall& a, const TouchingBall& b) { return a.radius > b.radius; });
+  // No rotation moves the one about the centre: first, so that every level has it.
+  if (const auto still = measured(Vec3::Zero(), Vec3::Zero()); still && still->radius > finest)
+    balls.insert(balls.begin(),
+                 {*nearest_within(faces, Vec3::Zero(), HUGE_VAL), still->centre, still->radius});
   for (std::size_t k = 0; k < kNear.size(); ++k) levels_[k] = covering(balls, kNear[k] * size);
 }
 

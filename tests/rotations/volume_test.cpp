@@ -214,6 +214,19 @@ TEST(MotionVolume, OfABlockedJointReachesNothing) {
   EXPECT_EQ(volume.shares().reachable_high, 0.0);
 }
 
+// A head that is a tenth of a millimetre too large for its liner, both closed: no turn brings them apart, and
+// no vertex is deep inside.
+TEST(MotionVolume, OfAHeadTooLargeForItsLinerIsBlockedAtOnce) {
+  const TriangleMesh inner = cup(19.9, 85.0, 2000);
+  TriangleMesh back = inner;
+  for (Vec3& x : back.vertices) x *= 1.4;
+  const CellTest test({sphere(20.0, 2000), test::with_back(inner, back)});
+  ASSERT_TRUE(test.bodies().has_inside());
+  const MotionVolume volume(test, {.width = 0.001});
+  EXPECT_NEAR(volume.shares().blocked, 1.0, 1e-12);
+  EXPECT_LT(volume.shares().cells, 200U);
+}
+
 // Cells for every centre within 1 mm: with the meshes about centres that far off, none is wrong. Rotations
 // are drawn from the cells, centres from the sphere of that radius and about the axis and across the contact,
 // where they move the ball most.
