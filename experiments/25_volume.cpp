@@ -4,13 +4,13 @@
 // @bones     yes
 // @timing    yes
 // @seconds   7 800
-// @links     harness real_joints contact_methods 17_motion
+// @links     harness real_joints contact_methods 17_motion 17_limit_time
 //
-// Every generated hip and real joint: the share of all rotations that is free of contact, between proven
-// ends, and how soon these are how near to each other, making the joint ready included. Beside it a grid of
-// poses with the reach of the finest cells, by FCL, ODE and Bullet, extrapolated from random rotations; and
-// random rotations asked of our own test of a pose, which find the share soon and prove nothing. Internal
-// rotation by flexion, read off the cells.
+// Every generated hip and real joint, cropped and as whole bones: the share of all rotations that is free of
+// contact, between proven ends, and how soon these are how near to each other, making the joint ready
+// included. Beside it a grid of poses with the reach of the finest cells, by FCL, ODE and Bullet,
+// extrapolated from random rotations; and random rotations asked of our own test of a pose, which find the
+// share soon and prove nothing. Internal rotation by flexion, read off the cells.
 
 #include <algorithm>
 #include <array>
@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "17_limit_time/limit_times.hpp"
 #include "17_motion/limit_study.hpp"
 #include "files/csv.hpp"
 #include "files/stopwatch.hpp"
@@ -62,6 +63,7 @@ struct VolumeTables {
 constexpr std::array<std::string_view, 4> kAsked{"fcl_collide", "ode_collide", "bullet_collide", "culled"};
 constexpr std::array kFlexions{70.0, 80.0, 90.0};  // degrees
 constexpr double kSlack = 1e-6;                    // degrees, of angles read off cells
+constexpr double kFinestWhole = 0.02;              // width of whole bones
 constexpr double kMostRotation = 90.0;             // degrees of internal rotation that are looked at
 
 std::uint32_t finest_level(const MotionVolume& volume) {
@@ -75,22 +77,23 @@ double covering_deg(std::uint32_t level) {
   return angular_radius(cell_of({1.0, 0.0, 0.0, 0.0}, level)) / kDegree;
 }
 
-// The volume of a width, the test made anew for it; adds its row.
-MotionVolume timed_volume(const StudiedJoint& joint, const VolumeStudyOptions& options, double width,
-                          Table& table) {
+// The volume of a width, the test made anew for it; adds its row. Of whole bones main surfaces and the rest.
+MotionVolume timed_volume(const StudiedJoint& joint, const BoneParts& beside,
+                          const VolumeStudyOptions& options, double width, Table& table) {
   VolumeSettings settings;
   settings.width = width;
   settings.threads = options.threads;
   Stopwatch watch;
-  const CellTest test(joint.meshes);
+  const CellTest test(joint.meshes, {}, beside);
   const double build_s = watch.lap_s();
   MotionVolume volume(test, settings);
   const double search_s = watch.lap_s();
   const VolumeShares& found = volume.shares();
   const std::uint32_t level = finest_level(volume);
-  table.add_row({joint.name, joint.meshes.ball.faces.size(), width, found.low(), found.high(), found.unknown,
-                 found.reachable_low, found.reachable_high, found.cells, level, covering_deg(level),
-                 4.0 * std::pow(8.0, level), build_s, build_s + search_s});
+  const std::size_t faces = (beside.whole_ball ? *beside.whole_ball : joint.meshes.ball).faces.size();
+  table.add_row({joint.name, faces, width, found.low(), found.high(), found.unknown, found.reachable_low,
+                 found.reachable_high, found.cells, level, covering_deg(level), 4.0 * std::pow(8.0, level),
+                 build_s, build_s + search_s});
   return volume;
 }
 
@@ -199,9 +202,28 @@ void add_volume(const StudiedJoint& joint, const VolumeStudyOptions& options, bo
                 VolumeTables& tables) {
   std::unique_ptr<const MotionVolume> finest;
   for (const double width : options.widths)
-    finest = std::make_unique<const MotionVolume>(timed_volume(joint, options, width, tables.volumes));
+    finest = std::make_unique<const MotionVolume>(timed_volume(joint, {}, options, width, tables.volumes));
   if (peers) add_methods(joint, *finest, options, tables.methods);
   if (joint.side) add_rotations(joint, *finest, tables.rotations);
+}
+
+// Of whole bones. A peer has to agree with every cell in random rotations: a time means nothing else.
+void add_whole_bones(const TurnedJoint& bones, const VolumeStudyOptions& options, Table& table) {
+  const StudiedJoint joint{bones.name + " whole", bones.main, bones.side};
+  std::unique_ptr<const MotionVolume> finest;
+  for (const double width : options.widths)
+    if (width >= kFinestWhole)
+      finest = std::make_unique<const MotionVolume>(timed_volume(joint, bones.beside, options, width, table));
+  for (const ContactCase& method : cases_of(contact_methods(), &Method::contact, bones.bones)) {
+    if (method.name != kAsked.front()) continue;
+    const ContactQuery query = method.make();
+    for (const Quaternion4& q : random_rotations(options.few_poses, options.seed)) {
+      const CellState state = finest->at(q).state;
+      const bool decided = state == CellState::free || state == CellState::blocked;
+      if (decided && query.touches({rotation_of(q), Vec3::Zero()}) != (state == CellState::blocked))
+        throw std::runtime_error(joint.name + ": a rotation is not what its cell says, by " + method.label);
+    }
+  }
 }
 
 void body(DriverRun& run) {
@@ -225,6 +247,10 @@ void body(DriverRun& run) {
     for (const RealJoint& joint : read_real_joints(*run.bones, run.progress)) {
       add_volume({joint.subject, in_joint_frame(joint), joint.side}, options, /*peers=*/false, tables);
       run.progress.say("motion volume of " + joint.subject);
+    }
+    for (const TurnedJoint& bones : whole_joints(*run.bones, run.progress)) {
+      add_whole_bones(bones, options, tables.volumes);
+      run.progress.say("motion volume of " + bones.name + " whole");
     }
   }
   const nlohmann::json parameters = {

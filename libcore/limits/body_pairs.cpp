@@ -439,17 +439,21 @@ std::optional<std::vector<ClosePair>> BodyPairs::close(const NearPoses& poses, b
   return found;
 }
 
-void BodyPairs::find_inner_balls(const BallSocketPair& main) {
+void BodyPairs::find_inner_balls(const BallSocketPair& main, bool by_radii) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
-    (kSurfaces[k] == Surface::ball ? ball_ : socket_)[0]->find_main(mesh_of(main, kSurfaces[k]));
-    for (const auto& body : kSurfaces[k] == Surface::ball ? ball_ : socket_) {
+    const auto& bodies = kSurfaces[k] == Surface::ball ? ball_ : socket_;
+    const auto& others = kSurfaces[k] == Surface::ball ? socket_ : ball_;
+    bodies[0]->find_main(mesh_of(main, kSurfaces[k]));
+    for (const auto& body : bodies) {
+      if (by_radii && main_only_ && body == bodies[0] && others.size() == 1) continue;  // it is not asked
       const auto to_opening = [&](const Vec3& x) {
         double least = HUGE_VAL;
         for (const Opening& at : body->openings) least = std::min(least, at.distance(x));
         return least;
       };
-      body->inner = InnerBalls(body->faces(),
-                               {[&](const Vec3& x) { return body->holds(x) == Contact::yes; }, to_opening});
+      const auto holds = [&](const Vec3& x) { return body->holds(x) == Contact::yes; };
+      body->inner = InnerBalls(
+          body->faces(), {body->sheet && body->wound == 0 ? nullptr : BodyInside::Holds(holds), to_opening});
     }
   });
 }

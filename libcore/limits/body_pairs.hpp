@@ -113,8 +113,8 @@ class BodyPairs {
   /// The faces that may meet in one of them, where bodies are apart in the middle; none if that is not
   /// proven, or they are more than `most`.
   std::optional<std::vector<ClosePair>> close(const NearPoses& poses, bool by_radii, std::size_t most) const;
-  /// Makes overlap() ready, which takes a while. `main` as given before.
-  void find_inner_balls(const BallSocketPair& main);
+  /// Makes overlap() ready, which takes a while. `main` as given before, `by_radii` as it will be asked.
+  void find_inner_balls(const BallSocketPair& main, bool by_radii = false);
   /// Is a point of one inside another body, or within the gap of it, in all of the poses? Yes is proven. No
   /// before find_inner_balls().
   bool overlap(const NearPoses& poses, bool by_radii = false) const;

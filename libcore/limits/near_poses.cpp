@@ -338,7 +338,7 @@ InnerBalls::InnerBalls(const SweptParts& faces, const BodyInside& inside) {
   const double finest = kNear.back() * size;
   std::vector<TouchingBall> balls;
   const auto measured = [&](const Vec3& v, const Vec3& c) -> std::optional<TouchingBall> {
-    if (!inside.holds(c)) return std::nullopt;
+    if (!is_near(c, balls, 0.0) && !inside.holds(c)) return std::nullopt;  // what is in a ball is inside
     const auto nearest = nearest_within(faces, c, HUGE_VAL);
     TouchingBall ball{v, c, std::min((*nearest - c).norm(), inside.to_opening(c))};
     faces.visit_near(c, ball.radius, [&](std::uint32_t f) {
@@ -348,6 +348,7 @@ InnerBalls::InnerBalls(const SweptParts& faces, const BodyInside& inside) {
     return ball;
   };
   const auto take = [&](const Vec3& v, const Vec3& side) {
+    if (!inside.holds) return false;
     // A little below the surface, whose faces are not quite as smooth as balls.
     const TouchingBall touches = touching.at(v + 0.5 * finest * side, side);
     const auto ball = touches.radius > finest ? measured(v, touches.centre) : std::nullopt;
@@ -369,7 +370,8 @@ InnerBalls::InnerBalls(const SweptParts& faces, const BodyInside& inside) {
   std::stable_sort(balls.begin(), balls.end(),
                    [](const TouchingBall& a, const TouchingBall& b) { return a.radius > b.radius; });
   // No rotation moves the one about the centre: first, so that every level has it.
-  if (const auto still = measured(Vec3::Zero(), Vec3::Zero()); still && still->radius > finest)
+  const auto still = inside.holds ? measured(Vec3::Zero(), Vec3::Zero()) : std::nullopt;
+  if (still && still->radius > finest)
     balls.insert(balls.begin(),
                  {*nearest_within(faces, Vec3::Zero(), HUGE_VAL), still->centre, still->radius});
   for (std::size_t k = 0; k < kNear.size(); ++k) levels_[k] = covering(balls, kNear[k] * size);

@@ -98,7 +98,8 @@ class NearBodies {
 
 /// Of a body, what InnerBalls has to know.
 struct BodyInside {
-  std::function<bool(const Vec3& x)> holds;         // is x certainly inside?
+  using Holds = std::function<bool(const Vec3& x)>;
+  Holds holds;                                      // is x certainly inside? None if there is no inside
   std::function<double(const Vec3& x)> to_opening;  // mm, from x to where it may be open
 };
 

@@ -151,7 +151,7 @@ CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question, co
     const Surface of = kSurfaces[k];
     sides_[k] = std::make_unique<const Side>(mesh_of(joint, of), facing_layer(of), question);
   });
-  bodies_.find_inner_balls(joint);
+  bodies_.find_inner_balls(joint, question_.gap_mm > 0.0 || !bodies_.has_inside());
   const SeenSurface& socket = surface(Surface::socket);
   least_ball_ = grown_ball().least_radius() - growth_;
   least_socket_ = socket.least_radius();
@@ -419,7 +419,7 @@ CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& fr
   const bool apart = verdict.state == CellState::free || verdict.state == CellState::unknown;
   // The middle tells which of both is worth trying.
   const Contact middle =
-      poses.gap_mm > 0.0 ? Contact::unknown : bodies.verdict({rotations.rotation, Vec3::Zero()}).contact;
+      by_radii ? Contact::unknown : bodies.verdict({rotations.rotation, Vec3::Zero()}).contact;
   if (middle != Contact::yes && !bodies.may_meet(poses, apart || by_radii)) {
     if (!by_radii && !apart) verdict = {state_of_free(asked), {}};
     return verdict;
