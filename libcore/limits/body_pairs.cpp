@@ -86,27 +86,6 @@ bool visit_near(const SweptParts& faces, const Vec3& from, const Vec3& to, const
   return false;
 }
 
-// Is meet(a, b) true of two triangles? Nodes of which apart(a, b) is true are not opened.
-template <class Apart, class Meet>
-bool any_pair(const SweptParts& ball, const SweptParts& socket, const Apart& apart, const Meet& meet) {
-  if (ball.nodes().empty() || socket.nodes().empty()) return false;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pending{{0, 0}};
-  while (!pending.empty()) {
-    const auto [p, q] = pending.back();
-    pending.pop_back();
-    const SweptParts::Node& a = ball.nodes()[p];
-    const SweptParts::Node& b = socket.nodes()[q];
-    if (apart(a, b)) continue;
-    if (a.leaf && b.leaf) {
-      if (meet(a, b)) return true;
-      continue;
-    }
-    const bool open_a = b.leaf || (!a.leaf && a.radius >= b.radius);
-    for (std::uint32_t k = 0; k < 2; ++k) pending.emplace_back(open_a ? a.at + k : p, open_a ? q : b.at + k);
-  }
-  return false;
-}
-
 Opening opening_of(const std::vector<Vec3>& border, double grown) {
   Eigen::Matrix3Xd at(3, static_cast<Eigen::Index>(border.size()));
   for (std::size_t k = 0; k < border.size(); ++k) at.col(static_cast<Eigen::Index>(k)) = border[k];
@@ -377,17 +356,20 @@ std::optional<BodyPairs::Nearest> BodyPairs::nearest_part(const Pose& pose) cons
     if (verdict(pair, pose).contact == Contact::yes) return Nearest{pair, 0.0, true};
     double least = found ? found->distance_mm : HUGE_VAL;
     const SweptParts& ball = ball_[pair.ball]->faces();
-    const auto apart = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
+    const SweptParts& socket = socket_[pair.socket]->faces();
+    const auto apart = [&](std::uint32_t p, std::uint32_t q) {
+      const SweptParts::Node& a = ball.nodes()[p];
+      const SweptParts::Node& b = socket.nodes()[q];
       const double spheres = (to_socket(pose, a.centre) - b.centre).norm() - a.radius - b.radius;
       return spheres > least + kNodeRounding * (a.farthest + b.farthest);
     };
-    const auto measure = [&](const SweptParts::Node& a, const SweptParts::Node& b) {
-      const auto& [c0, c1, c2] = ball.parts()[a.at].corner;
+    const auto measure = [&](std::uint32_t p, std::uint32_t q) {
+      const auto& [c0, c1, c2] = ball.parts()[p].corner;
       const TurnFace moved = turn_face(to_socket(pose, c0), to_socket(pose, c1), to_socket(pose, c2));
-      least = std::min(least, least_distance(moved, socket_[pair.socket]->faces().parts()[b.at]));
+      least = std::min(least, least_distance(moved, socket.parts()[q]));
       return false;
     };
-    any_pair(ball, socket_[pair.socket]->faces(), apart, measure);
+    any_pair(ball, socket, apart, measure);
     if (std::isfinite(least) && (!found || least < found->distance_mm)) found = Nearest{pair, least, false};
   }
   return found;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 #include <span>
-#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -22,27 +21,6 @@ constexpr double kSquared = 1e-13;  // of squares of lengths
 constexpr double kTouches = 1e-6;   // of the radius of a ball
 constexpr double kLeastArm = 0.1;   // mm, of a length that a turn makes up for
 constexpr int kMostShrinks = 30;    // of a ball
-
-// Is meet(a, b) true of two parts? Nodes of which apart(a, b) is true are not opened.
-template <class Apart, class Meet>
-bool any_pair(const SweptParts& ball, const SweptParts& socket, const Apart& apart, const Meet& meet) {
-  if (ball.empty() || socket.empty()) return false;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pending{{0, 0}};
-  while (!pending.empty()) {
-    const auto [p, q] = pending.back();
-    pending.pop_back();
-    const SweptParts::Node& a = ball.nodes()[p];
-    const SweptParts::Node& b = socket.nodes()[q];
-    if (apart(p, q)) continue;
-    if (a.leaf && b.leaf) {
-      if (meet(ball.parts()[a.at], socket.parts()[b.at])) return true;
-      continue;
-    }
-    const bool open_a = b.leaf || (!a.leaf && a.radius >= b.radius);
-    for (std::uint32_t k = 0; k < 2; ++k) pending.emplace_back(open_a ? a.at + k : p, open_a ? q : b.at + k);
-  }
-  return false;
-}
 
 double farthest(const TurnFace& face) {
   return std::sqrt(
@@ -132,9 +110,10 @@ bool NearBodies::any_close(const SweptParts& ball, const SweptParts& socket, con
     const double reach = a.radius + b.radius + slack;
     return least_squared(turned(a.centre), b.centre) > reach * reach || (told && told(p, q));
   };
-  return any_pair(ball, socket, are_apart, [&](const TurnFace& a, const TurnFace& b) {
-    const TurnFace moved = turned(a);
-    return !apart(moved, b) && meet(a, moved, b);
+  return any_pair(ball, socket, are_apart, [&](std::uint32_t p, std::uint32_t q) {
+    const TurnFace& face = socket.parts()[q];
+    const TurnFace moved = turned(ball.parts()[p]);
+    return !apart(moved, face) && meet(ball.parts()[p], moved, face);
   });
 }
 
@@ -183,8 +162,8 @@ bool NearBodies::any_within_reach(const BodyTrees& ball, const BodyTrees& socket
       return reach < 0.0 || std::max(a.nearest - b.farthest, b.nearest - a.farthest) > std::max(0.0, more) ||
              far(turned(a.centre), b.centre, reach);
     };
-    return any_pair(of_ball, of_socket, apart, [&](const TurnFace& a, const TurnFace& b) {
-      const WithinReach at = points(a, b);
+    return any_pair(of_ball, of_socket, apart, [&](std::uint32_t p, std::uint32_t q) {
+      const WithinReach at = points(of_ball.parts()[p], of_socket.parts()[q]);
       return at.reach > 0.0 && take(at);
     });
   };

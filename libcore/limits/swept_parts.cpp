@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 
 #include "contact/part_distance.hpp"
-#include "mesh/triangle_distance.hpp"
 
 namespace impinge {
 namespace {
@@ -200,12 +199,6 @@ void SweptParts::split(std::uint32_t* first, std::uint32_t* last, std::uint32_t 
 bool SweptParts::farther_than(double distance, const Vec3& x) const {
   return !any_part(distance, x,
                    [&](std::uint32_t part) { return least_distance(x, parts_[part]) <= distance; });
-}
-
-bool SweptParts::within(double distance, const Vec3& x) const {
-  return distance >= 0.0 && any_part(distance, x, [&](std::uint32_t part) {
-           return (nearest_point(x, parts_[part].corner) - x).squaredNorm() <= distance * distance;
-         });
 }
 
 double first_within(const SweptPair& pair, const WithinSpan& within, double largest) {

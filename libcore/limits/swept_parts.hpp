@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <queue>
+#include <utility>
 #include <vector>
 
 #include "contact/turn_surface.hpp"
@@ -59,8 +60,6 @@ class SweptParts {
   }
   /// Is every part farther than `distance` from x? mm.
   bool farther_than(double distance, const Vec3& x) const;
-  /// Is a point of one no farther than that from x, up to rounding? mm.
-  bool within(double distance, const Vec3& x) const;
 
  private:
   // Until found(part) is true.
@@ -84,6 +83,28 @@ class SweptParts {
   std::vector<TurnFace> parts_;
   std::vector<Node> nodes_;
 };
+
+/// Is meet(part, part) true of two parts? Nodes of which apart(node, node) is true are not opened. All by
+/// their places.
+template <class Apart, class Meet>
+bool any_pair(const SweptParts& one, const SweptParts& other, const Apart& apart, const Meet& meet) {
+  if (one.empty() || other.empty()) return false;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pending{{0, 0}};
+  while (!pending.empty()) {
+    const auto [p, q] = pending.back();
+    pending.pop_back();
+    const SweptParts::Node& a = one.nodes()[p];
+    const SweptParts::Node& b = other.nodes()[q];
+    if (apart(p, q)) continue;
+    if (a.leaf && b.leaf) {
+      if (meet(a.at, b.at)) return true;
+      continue;
+    }
+    const bool open_a = b.leaf || (!a.leaf && a.radius >= b.radius);
+    for (std::uint32_t k = 0; k < 2; ++k) pending.emplace_back(open_a ? a.at + k : p, open_a ? q : b.at + k);
+  }
+  return false;
+}
 
 /// A surface that turns and one that rests, each with the rotation to the frame whose +z is the axis.
 struct SweptPair {
