@@ -2,7 +2,7 @@
 // @question  Do stiff and extreme cases break a method?
 // @writes    stability stability_detail stability_families
 // @timing    no
-// @seconds   86 400
+// @seconds   84 400
 // @links     harness stress
 //
 // Every family of experiments/stress/families/: its parameter is turned from harmless to extreme

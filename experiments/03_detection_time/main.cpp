@@ -3,7 +3,7 @@
 // @writes    detection_time detection_time_samples
 // @bones     yes
 // @timing    yes
-// @seconds   58 330
+// @seconds   54 330
 // @links     harness real_joints methods touch_methods hip
 //
 // Tables 4 and 9 have "generic models" up to 3,000 triangles, here the generated pair, and the "real model

@@ -2,7 +2,7 @@
 // @question  Who misses a first meeting while one turns, who finds a false one, and in what time?
 // @writes    turns turn_time turn_time_samples
 // @timing    yes
-// @seconds   12 600
+// @seconds   5 600
 // @reads     28_turns/turns.py 28_turns/pairs.py 28_turns/meshes.py 28_turns/exact.py
 // @links     harness limits method_cgal turns_methods steps_methods
 //
@@ -30,7 +30,7 @@ namespace {
 using namespace impinge;
 using namespace impinge::lab;
 
-constexpr TurnSetSizes kQuick{1, 360, 9};
+constexpr TurnSetSizes kQuick{1, 72, 9};
 constexpr TurnSetSizes kFull{1, 10'000, 200};
 constexpr std::size_t kTimedPairs = 360;  // of a kind
 constexpr std::size_t kTimedMeshes = 36;
@@ -104,7 +104,7 @@ void time_kind(DriverRun& run, const std::string& kind, const std::vector<TurnCa
     ask.key = {kind, one.name, one.setting};
     ask.run = [&of = made.back()] { of.run(); };
     ask.units = static_cast<double>(some.size());
-    ask.rounds = run.quick() ? 3 : 7;
+    ask.rounds = run.quick() ? 2 : 7;
     if (made.back().seconds > 1.0) {
       ask.expected_s = made.back().seconds;
       ask.rounds = 2;
@@ -112,7 +112,7 @@ void time_kind(DriverRun& run, const std::string& kind, const std::vector<TurnCa
     timed.push_back(std::move(ask));
   }
   TimingOptions options;
-  if (run.quick()) options = {.slow_ms = 200.0, .repeat_share = 0.05, .least_repeat_s = 1.0};
+  if (run.quick()) options = {.slow_ms = 200.0, .repeat_share = 0.05, .least_repeat_s = 0.2};
   TimingRun found = run_interleaved(timed, options, run.progress);
   for (std::size_t k = 0; k < timed.size(); ++k) {
     const Timing& one = found.timings[k];
