@@ -18,6 +18,7 @@
 #include "mesh/bodies.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/generated_pair.hpp"
+#include "mesh/icosphere.hpp"
 #include "mesh/star_shape.hpp"
 #include "reference/meeting_surfaces.hpp"
 #include "rotations/cell_part.hpp"
@@ -170,6 +171,62 @@ TEST(TheoremVolume, PartsAreNeverWrongOfBonesWithAnInside) {
   }
   EXPECT_GT(asked.free, random_cases() / 50);
   EXPECT_GT(asked.blocked, random_cases() / 50);
+}
+
+// Two spheres 50 mm from the centre, nearly touching: parts of a cell are blocked no farther than the spheres
+// meet, and free no nearer than spheres within the meshes do.
+TEST(TheoremVolume, PartsAreThoseOfSpheresInClosedForm) {
+  constexpr double kFar = 50.0;
+  constexpr std::array<double, 2> kRadius{6.0, 5.0};
+  std::array<TriangleMesh, 2> part;
+  double within = 0.0;  // the sum of both radii, of spheres that the meshes hold
+  for (std::size_t n = 0; n < 2; ++n) {
+    part[n] = icosphere(kRadius[n], 3);
+    double least = kRadius[n];
+    for (const Face& face : part[n].faces)
+      least = std::min(least, area_vector(part[n], face).normalized().dot(corner(part[n], face, 0)));
+    within += least;
+    for (Vec3& x : part[n].vertices) x += kFar * Vec3::UnitX();
+  }
+  const TriangleMesh inner = cup(300.0, 60.0, 100);
+  TriangleMesh back = inner;
+  for (Vec3& x : back.vertices) x *= 1.1;
+  const CellTest test({icosphere(5.0, 1), test::with_back(inner, back)}, {}, {{part[0]}, {part[1]}});
+  ASSERT_TRUE(test.bodies().has_inside());
+  CellSearch search(test);
+  test::Dice dice(62);
+  Asked asked;
+  for (std::size_t k = 0; k < random_cases(); ++k) {
+    const double apart = kRadius[0] + kRadius[1] + dice.between(-0.3, 0.3);
+    const auto turn = [](double angle, const Vec3& axis) {
+      return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis));
+    };
+    const Eigen::Quaterniond r = turn(dice.between(0.0, 2.0 * kPi), Vec3::UnitX()) *
+                                 turn(2.0 * std::asin(0.5 * apart / kFar), Vec3::UnitZ()) *
+                                 turn(dice.between(0.0, 2.0 * kPi), Vec3::UnitX());
+    const RotationCell cell =
+        cell_of({r.w(), r.x(), r.y(), r.z()}, static_cast<std::uint32_t>(dice.whole(7, 10)));
+    const CellVerdict verdict = search.decide(cell);
+    if (verdict.state != CellState::open) continue;
+    const CellPart found = search.part_of(cell, verdict.hint);
+    for (const bool blocked : {false, true}) {
+      for (const CellPlane& plane : blocked ? found.blocked : found.free) {
+        Vec3 t(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));
+        const Vec3 slope(plane.slope[0], plane.slope[1], plane.slope[2]);
+        t -= (plane.at(t) - 1e-7) * slope / slope.squaredNorm();
+        if (t.cwiseAbs().maxCoeff() > 1.0 || !(blocked ? found.is_blocked(t) : found.is_free(t))) continue;
+        ++(blocked ? asked.blocked : asked.free);
+        const Eigen::Matrix3d rotation = rotation_of(point_of(cell, {t[0], t[1], t[2]}));
+        const double distance = kFar * (rotation * Vec3::UnitX() - Vec3::UnitX()).norm();
+        if (blocked)
+          EXPECT_LE(distance, kRadius[0] + kRadius[1]) << cell.level << " " << cell.number;
+        else
+          EXPECT_GE(distance, within) << cell.level << " " << cell.number;
+      }
+    }
+  }
+  EXPECT_GT(asked.free, random_cases() / 10);
+  EXPECT_GT(asked.blocked, random_cases() / 10);
 }
 
 TEST(TheoremVolume, IsNeverWrongOfAHip) {

@@ -214,13 +214,13 @@ TEST(MotionVolume, OfABlockedJointReachesNothing) {
   EXPECT_EQ(volume.shares().reachable_high, 0.0);
 }
 
-// A head that is a tenth of a millimetre too large for its liner, both closed: no turn brings them apart, and
-// no vertex is deep inside.
+// A head that is a hundredth of a millimetre too large for its liner, both closed: no turn brings them apart,
+// and no vertex is deep inside.
 TEST(MotionVolume, OfAHeadTooLargeForItsLinerIsBlockedAtOnce) {
-  const TriangleMesh inner = cup(19.9, 85.0, 2000);
+  const TriangleMesh inner = cup(19.99, 85.0, 4000);
   TriangleMesh back = inner;
   for (Vec3& x : back.vertices) x *= 1.4;
-  const CellTest test({sphere(20.0, 2000), test::with_back(inner, back)});
+  const CellTest test({sphere(20.0, 8000), test::with_back(inner, back)});
   ASSERT_TRUE(test.bodies().has_inside());
   const MotionVolume volume(test, {.width = 0.001});
   EXPECT_NEAR(volume.shares().blocked, 1.0, 1e-12);
