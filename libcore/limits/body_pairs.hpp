@@ -28,7 +28,8 @@
 //
 // Many poses at once (limits/near_poses.hpp). If surfaces meet in none of them, each connected piece of one
 // is inside the other in all of them or in none, which one of its points tells. And where a point of a
-// surface stays in an inner ball of the other body, they are in contact in all of them. Theorem 11 (contact).
+// surface stays in an inner ball of the other body, they are in contact in all of them. Theorem 11 (contact),
+// Theorem 14 (volume).
 #pragma once
 
 #include <cstdint>

@@ -17,17 +17,17 @@ namespace {
 constexpr double kTolerance = 1e-12;  // of 1 / r and of lengths, as a share
 constexpr double kTurnSlack = 2e-9;   // radians
 
-constexpr std::uint32_t kCoarsestPart = 6;  // level of cells that are taken apart
-constexpr std::uint32_t kCoarsestOfBodies = 5;
-constexpr std::uint32_t kFinestPart = 10;    // planes of finer ones are too coarse
-constexpr std::size_t kMostWitnesses = 4;    // of a surface, that may block part of a cell
-constexpr std::size_t kMostBlocked = 6;      // of both
-constexpr std::uint32_t kUnnamed = 0xffffU;  // a plane that bounds a piece alone
-constexpr double kLeastGain = 0.05;          // of half a side: what reaches less far is not worth a plane
-constexpr double kLeastSlope = 1e-3;         // of a normal across a direction, that counts
-constexpr double kLeastNormal = 1e-9;        // mm^2, of two edges
-constexpr std::size_t kMostPairs = 4000;     // of faces, that are kept apart in a cell
-constexpr std::size_t kMostClose = 200;      // of faces of bodies
+constexpr std::uint32_t kCoarsestPart = 6;      // level of cells that are taken apart
+constexpr std::uint32_t kCoarsestOfBodies = 5;  // the same where bones have an inside
+constexpr std::uint32_t kFinestPart = 10;       // planes of finer ones are too coarse
+constexpr std::size_t kMostWitnesses = 4;       // of a surface, that may block part of a cell
+constexpr std::size_t kMostBlocked = 6;         // of both
+constexpr std::uint32_t kUnnamed = 0xffffU;     // a plane that bounds a piece alone
+constexpr double kLeastGain = 0.05;             // of half a side: what reaches less far is not worth a plane
+constexpr double kLeastSlope = 1e-3;            // of a normal across a direction, that counts
+constexpr double kLeastNormal = 1e-9;           // mm^2, of two edges
+constexpr std::size_t kMostPairs = 4000;        // of faces, that are kept apart in a cell
+constexpr std::size_t kMostClose = 200;         // of faces of bodies
 
 // A search over the nodes of a tree that opens the one found last.
 struct Pending {
