@@ -20,7 +20,7 @@ PROGRAMS = {
     "impinge_program": ("impinge", "all of impinge"),
 }
 # What every C++ program on Debian has.
-COMPILER = re.compile(r"lib(c6|gcc|stdc\+\+|c\+\+|m\b)|linux-libc-dev|ld-linux|linux-vdso")
+COMPILER = re.compile(r"lib(c\b|c6|gcc|stdc\+\+|c\+\+|m\b)|linux-libc-dev|ld-linux|linux-vdso")
 
 
 def main(options) -> common.Table:

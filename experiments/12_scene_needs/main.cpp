@@ -3,7 +3,7 @@
 // @writes    scene_needs scene_needs_samples
 // @bones     yes
 // @timing    yes
-// @seconds   20 300
+// @seconds   18 300
 // @links     harness real_joints 17_limit_time joint change contact gaps_methods steps_methods
 //
 // Touch, smallest gap and all gaps of a pose, limits of all named motions, the volume of all rotations and
