@@ -4,7 +4,7 @@
 // @bones     yes
 // @timing    yes
 // @seconds   18 300
-// @links     harness real_joints 17_limit_time joint change contact gaps_methods steps_methods
+// @links     harness 17_limit_time joint gaps_methods steps_methods
 //
 // Touch, smallest gap and all gaps of a pose, limits of all named motions, the volume of all rotations and
 // measures of a joint: each asked alone; with all others and every output, as a report does; and of libraries
@@ -23,7 +23,6 @@
 
 #include "12_scene_needs/questions.hpp"
 #include "harness/driver.hpp"
-#include "harness/real_joints.hpp"
 #include "harness/timing.hpp"
 #include "sphere/radial_table.hpp"
 
@@ -173,7 +172,7 @@ Table table_of(const std::vector<NeedsRow>& rows, const TimingRun& timing) {
   return table;
 }
 
-// The generated hip; of real joints the smallest as it was cut, and that of whole bones, in full all of them.
+// The generated hip, and real joints of whole bones; in quick the one with the fewest faces.
 std::vector<TurnedJoint> joints_of(DriverRun& run) {
   std::vector<TurnedJoint> joints{generated_hip(run.quick() ? kFacesInQuick : kFaces)};
   if (!run.bones) return joints;

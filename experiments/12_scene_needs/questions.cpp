@@ -233,12 +233,11 @@ std::function<Answered()> limits_by(const AskedJoint& joint, const ContactCase& 
 }
 
 // Random rotations, in place of a grid that leaves none farther than the finest cells do.
-Way volume_by(const AskedJoint& joint, const ContactCase& method, const MotionVolume& volume,
-              std::size_t poses) {
+Way volume_by(const ContactCase& method, const MotionVolume& volume, std::size_t poses) {
   std::uint32_t level = 0;
   volume.for_each([&](const VolumeCell& at) { level = std::max(level, at.cell.level); });
   const auto query = std::make_shared<const ContactQuery>(method.make());
-  const auto answer = [&joint, query, poses] {
+  const auto answer = [query, poses] {
     std::mt19937_64 engine(12);
     std::normal_distribution<double> normal;
     std::size_t clear = 0;
@@ -335,7 +334,7 @@ std::vector<AskedQuestion> questions_of(AskedJoint& joint, const Asking& asking,
   if (const ContactCase* found = find_case(cases, "fcl_collide", labels)) {
     all[3].ways.push_back({found->name, limits_by(joint, *found, asking.step_deg)});
     const VolumeAnswer known = answer(*joint.session, VolumeRequest{.width = asking.width});
-    all[4].ways.push_back(volume_by(joint, *found, known.volume, asking.poses));
+    all[4].ways.push_back(volume_by(*found, known.volume, asking.poses));
   }
   return all;
 }
