@@ -9,10 +9,17 @@
 // any engine may run, and their results together.
 
 #include <array>
+#include <atomic>
+#include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "cohort/shard.hpp"
 #include "command/program.hpp"
@@ -82,8 +89,40 @@ void add_cohort(CLI::App& program, const Screen& screen, std::function<void()>& 
   });
 }
 
+// Given back where memory runs out, so that what is under way can be undone and told.
+std::atomic<char*> reserve;
+
+void give_back() {
+  const char* const given = reserve.exchange(nullptr);
+  if (given == nullptr) throw std::bad_alloc();
+  delete[] given;
+}
+
+// Some destructors of libraries ask for memory, and end the program where they get none.
+[[noreturn]] void end() {
+  try {
+    if (std::current_exception()) std::rethrow_exception(std::current_exception());
+  } catch (const std::bad_alloc&) {
+    std::cerr << "impinge: error: " << kNoMemory << std::endl;
+    std::_Exit(1);
+  } catch (...) {
+    std::abort();
+  }
+  std::abort();
+}
+
+// A file that is opened in the place of a closed stream would get what is printed.
+void open_streams() {
+  for (int stream = 0; stream < 3; ++stream)
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == 0 ? O_RDONLY : O_WRONLY);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_streams();
+  reserve = new char[std::size_t{1} << 20U];
+  std::set_new_handler(give_back);
+  std::set_terminate(end);
   return run_program(argc, argv, std::cout, std::cerr, std::array<AddCommand, 1>{add_cohort});
 }

@@ -2,6 +2,7 @@
 #include "command/answer_files.hpp"
 
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 
@@ -26,6 +27,13 @@ fs::path existing(const fs::path& of) {
   fs::path folder = without_slash(of);
   while (!fs::exists(folder, unreadable)) folder = folder.parent_path();
   return folder;
+}
+
+// Takes away folders without files, from this one up to one that was there.
+void remove_empty(const fs::path& of, const fs::path& there) {
+  std::error_code kept;
+  fs::path folder = without_slash(of);
+  while (folder != there && fs::remove(folder, kept)) folder = folder.parent_path();
 }
 
 // What the summary that lies there lists, and what an interrupted question kept.
@@ -61,31 +69,42 @@ std::string Work::mesh_file(const std::string& stem) const {
 }
 
 AnswerFolder::AnswerFolder(fs::path folder) : folder_(std::move(folder)), there_(existing(folder_)) {
-  require_writable_folder(folder_);
+  try {
+    require_writable_folder(folder_);
+  } catch (...) {
+    remove_empty(folder_, there_);
+    throw;
+  }
 }
 
 AnswerFolder::~AnswerFolder() {
-  std::error_code kept;
-  fs::path folder = without_slash(folder_);
-  while (folder != there_ && fs::remove(folder, kept)) folder = folder.parent_path();
+  try {
+    remove_empty(folder_, there_);
+  } catch (const std::bad_alloc&) {  // an empty folder stays
+    return;
+  }
 }
 
 std::vector<std::string> AnswerFolder::write(const Told& told, Json& document, const Work& work) {
-  std::vector<std::string> names = told.wrote;
+  std::vector<std::string> names;
+  for (const auto& file : told.wrote) names.push_back(file->target().filename().string());
   for (const AnswerFile& file : told.files) names.push_back(file.name);
   names.emplace_back(kSummary);
   for (const std::string& name : names) work.output(name);
-  std::vector<std::string> older;
-  std::error_code unreadable;
-  for (const std::string& name : files_of_earlier(folder_)) {
-    if (std::find(names.begin(), names.end(), name) == names.end() && fs::exists(folder_ / name, unreadable))
-      older.push_back(name);
-  }
+  const std::vector<std::string> earlier = files_of_earlier(folder_);
   document["files"] = names;
   FileSet files;
+  for (const auto& file : told.wrote) files.add(file);
   for (const AnswerFile& file : told.files) files.add(folder_ / file.name, file.bytes);
   files.add(folder_ / kSummary, text_of(document));
   files.commit();
+  std::error_code unreadable;
+  for (const fs::path& file : told.spent) fs::remove(file, unreadable);
+  std::vector<std::string> older;
+  for (const std::string& name : earlier) {
+    if (std::find(names.begin(), names.end(), name) == names.end() && fs::exists(folder_ / name, unreadable))
+      older.push_back(name);
+  }
   return older;
 }
 

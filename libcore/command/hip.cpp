@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "command/answer_files.hpp"
 #include "command/joint_command.hpp"
 #include "command/request_options.hpp"
-#include "files/file_bytes.hpp"
+#include "files/file_set.hpp"
 #include "hip/hip_presets.hpp"
 #include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"
@@ -30,38 +31,40 @@ struct HipOptions {
   MeshFormat format = MeshFormat::ply;
 };
 
-// Writes a mesh in a file of that name, which it returns.
-fs::path write(const HipOptions& options, const std::string& name, const TriangleMesh& mesh) {
+// Adds a mesh as a file of that name, which it returns.
+fs::path write(const HipOptions& options, const std::string& name, const TriangleMesh& mesh, FileSet& files) {
   fs::path file = options.out / (name + '.' + std::string(word_of(options.format)));
-  write_mesh(file, mesh, {.axes = "RAS"});
+  files.add(file, mesh_bytes(file, mesh, {.axes = "RAS"}));
   return file;
 }
 
-// Writes the parts of a mesh, each in a file of its name, and returns the option that gives them to a
+// Adds the parts of a mesh, each as a file of its name, and returns the option that gives them to a
 // question.
 std::string write_parts(const HipOptions& options, const TriangleMesh& mesh,
-                        const std::vector<MeshPart>& parts, const std::string& option) {
+                        const std::vector<MeshPart>& parts, const std::string& option, FileSet& files) {
   std::string text;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     std::string name = parts[k].name;
     for (char& c : name) c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    text += " " + option + " " + write(options, name, part_surface(mesh, parts, k)).string();
+    text += " " + option + " " + write(options, name, part_surface(mesh, parts, k), files).string();
   }
   return text;
 }
 
-std::string write_both(const HipOptions& options, const BallSocketPair& meshes) {
-  return write(options, "ball", meshes.ball).string() + " " +
-         write(options, "socket", meshes.socket).string();
+std::string write_both(const HipOptions& options, const BallSocketPair& meshes, FileSet& files) {
+  const fs::path ball = write(options, "ball", meshes.ball, files);
+  return ball.string() + " " + write(options, "socket", meshes.socket, files).string();
 }
 
 void make(const HipOptions& options, std::ostream& out) {
+  FileSet files;
   if (options.name == kPair) {
     if (!options.changes.empty())
       throw std::invalid_argument("--set: changes a hip, and the pair is none; leave it out");
-    require_writable_folder(options.out);
-    out << "wrote               " << write_both(options, make_ball_socket_pair(options.faces))
-        << ": a ball in a socket" << std::endl;
+    const AnswerFolder folder(options.out);
+    const std::string both = write_both(options, make_ball_socket_pair(options.faces), files);
+    files.commit();
+    out << "wrote               " << both << ": a ball in a socket" << std::endl;
     return;
   }
   HipParameters parameters;
@@ -70,11 +73,12 @@ void make(const HipOptions& options, std::ostream& out) {
     for (const std::string& change : options.changes) set_hip_parameter(parameters, change);
   });
   const Hip made = make_hip(parameters, options.faces);
-  require_writable_folder(options.out);
-  const std::string both = write_both(options, main_surfaces(made));
+  const AnswerFolder folder(options.out);
+  const std::string both = write_both(options, main_surfaces(made), files);
   const std::string ask = " " + both + " --side " + std::string(word_of(parameters.side)) +
-                          write_parts(options, made.ball, made.ball_parts, "--ball-part") +
-                          write_parts(options, made.socket, made.socket_parts, "--socket-part");
+                          write_parts(options, made.ball, made.ball_parts, "--ball-part", files) +
+                          write_parts(options, made.socket, made.socket_parts, "--socket-part", files);
+  files.commit();
   out << "wrote               " << both << ": a " << word_of(parameters.side)
       << " hip, axes RAS, the centre at the origin\nask it              impinge limits" << ask << std::endl;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <thread>
 #include <utility>
 
@@ -141,7 +142,8 @@ void add_table(Told& told) {
 // `older`: files of an earlier answer.
 void tell_written(const fs::path& folder, const Told& told, const std::vector<std::string>& older,
                   const JointCommand& command, const Screen& screen) {
-  std::vector<std::string> names = told.wrote;
+  std::vector<std::string> names;
+  for (const auto& file : told.wrote) names.push_back(file->target().filename().string());
   for (const AnswerFile& file : told.files) names.push_back(file.name);
   names.emplace_back("summary.json");
   if (!command.json)
@@ -222,7 +224,8 @@ void run_all(const JointCommand& command, const Screen& screen) {
       folder.write(answered.told, answered.document, work);
       documents.push_back(std::move(answered.document));
     } catch (const std::exception& error) {
-      std::string what = one_line(error.what());
+      const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+      std::string what = memory ? kNoMemory : one_line(error.what());
       const std::string where = at.ball.parent_path().string();
       if (what.find(where) == what.npos) what.insert(0, where + ": ");
       left_out.push_back(std::move(what));

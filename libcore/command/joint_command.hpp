@@ -17,6 +17,10 @@ struct Screen {
   std::ostream& log;
 };
 
+/// The line of an error that leaves no memory to put one together.
+inline constexpr const char* kNoMemory =
+    "there is not enough memory; choose a coarser --precision or smaller meshes";
+
 /// What is wrong with a command line, and where to look: what() is one line.
 class CommandError : public std::invalid_argument {
  public:

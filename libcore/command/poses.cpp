@@ -116,14 +116,12 @@ class Rows {
     out_.flush();
     require_good();
   }
-  // Takes the place of the whole file.
-  void finish() {
-    if (file_.empty()) return;
+  // The whole file, which is kept until it is in place.
+  std::vector<std::shared_ptr<TemporaryFile>> finished() {
+    if (file_.empty()) return {};
     out_.close();
     require_good();
-    std::error_code error;
-    std::filesystem::rename(file_, whole_, error);
-    if (error) fail_writing(whole_, error.value());
+    return {std::make_shared<TemporaryFile>(whole_, file_)};
   }
   const Tally& tally() const { return tally_; }
 
@@ -192,10 +190,9 @@ Told told(Session& session, const PosesRequest& request, const Work& work) {
   const std::string doubt = doubt_of(request, joint, list);
   if (!doubt.empty()) work.warn(doubt);
   answer_all(joint, list, series, request, work, rows);
-  rows.finish();
   const PosesAnswer found = rows.tally().answer(request.asks(PosesOutput::touch), doubt);
   Told told{.words = describe_poses(found), .document = json_of(found)};
-  if (work.out) told.wrote = {"poses.csv"};
+  told.wrote = rows.finished();
   told.row_of_one = {
       {"poses", "/number_of_poses"}, {"touching", "/touching"}, {"smallest_gap_mm", "/smallest_gap/gap_mm"}};
   return told;

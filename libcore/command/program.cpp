@@ -142,12 +142,14 @@ int run_program(int argc, const char* const* argv, std::ostream& out, std::ostre
     const std::function<void()> work = parse_program(argc, argv, screen, more);
     if (!work) return 2;
     work();
+    if (!out.flush()) return fail("the answer could not be printed; check that its destination has room", 1);
   } catch (const Refused& refused) {
     return refused.code;
   } catch (const CommandError& error) {
     return fail(error.what(), 2);
   } catch (const std::bad_alloc&) {
-    return fail("there is not enough memory; choose a coarser --precision or smaller meshes", 1);
+    log << "impinge: error: " << kNoMemory << std::endl;  // without asking for more
+    return 1;
   } catch (const std::exception& error) {
     return fail(error.what(), 1);
   }

@@ -18,6 +18,7 @@
 #include "files/csv.hpp"
 #include "files/fields.hpp"
 #include "files/stopwatch.hpp"
+#include "files/temporary_file.hpp"
 #include "joint/document.hpp"
 #include "joint/session.hpp"
 #include "joint/touch.hpp"
@@ -58,13 +59,14 @@ struct HeadlineColumn {
 
 /// An answer in all its forms. A question fills what it has.
 struct Told {
-  std::string words{};                       // lines for a terminal
-  Json document{};                           // of the answer
-  std::vector<AnswerFile> files{};           // beside summary.json; written together
-  std::vector<std::string> wrote{};          // files that are there already: it wrote them while it worked
-  std::string table_name{};                  // such as "limits.csv"; empty: it has none
-  Table table{};                             // rows of that file, without the column `joint`
-  std::vector<HeadlineColumn> row_of_one{};  // of joints.csv (--joints), where there is no table
+  std::string words{};                                  // lines for a terminal
+  Json document{};                                      // of the answer
+  std::vector<AnswerFile> files{};                      // beside summary.json; written together
+  std::vector<std::shared_ptr<TemporaryFile>> wrote{};  // while it worked; put in place with those above
+  std::vector<std::filesystem::path> spent{};  // of an interrupted run; removed once the answer is in place
+  std::string table_name{};                    // such as "limits.csv"; empty: it has none
+  Table table{};                               // rows of that file, without the column `joint`
+  std::vector<HeadlineColumn> row_of_one{};    // of joints.csv (--joints), where there is no table
 };
 
 /// A command that asks one question of a joint.

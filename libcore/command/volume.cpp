@@ -42,6 +42,7 @@ class VerdictFile {
   }
 
   const std::vector<CellVerdict>& known() const { return known_; }
+  const std::filesystem::path& file() const { return file_; }
 
   // Those that are known already are not written again.
   void add(std::span<const CellVerdict> verdicts) {
@@ -54,16 +55,11 @@ class VerdictFile {
   }
 
   ~VerdictFile() {
-    if (seen_ == 0 && known_.empty()) remove();
+    std::error_code ignored;
+    if (seen_ == 0 && known_.empty()) std::filesystem::remove(file_, ignored);
   }
   VerdictFile(const VerdictFile&) = delete;
   VerdictFile& operator=(const VerdictFile&) = delete;
-
-  void remove() {
-    out_.close();
-    std::error_code ignored;
-    std::filesystem::remove(file_, ignored);
-  }
 
  private:
   using Words = std::array<std::uint32_t, 5>;
@@ -105,20 +101,20 @@ std::string csv_line(const std::vector<Cell>& cells) {
   return line + "\n";
 }
 
-void write_cells(const std::filesystem::path& path, const MotionVolume& volume) {
+std::shared_ptr<TemporaryFile> write_cells(const std::filesystem::path& path, const MotionVolume& volume) {
   constexpr std::size_t kAtOnce = std::size_t{1} << 24;
-  TemporaryFile file(path);
+  auto file = std::make_shared<TemporaryFile>(path);
   std::string text;
   for (const Column& column : columns_of<VolumeRow>()) text += (text.empty() ? "" : ",") + column.name;
   text += "\n";
   volume.for_each([&](const VolumeCell& at) {
     text += csv_line(cells_of(volume_row(at)));
     if (text.size() < kAtOnce) return;
-    file.write(text);
+    file->write(text);
     text.clear();
   });
-  file.write(text);
-  file.rename();
+  file->write(text);
+  return file;
 }
 
 std::string words_of_volume(const VolumeAnswer& found, double width) {
@@ -140,9 +136,9 @@ std::string words_of_volume(const VolumeAnswer& found, double width) {
   return text;
 }
 
-// Until it is complete, volume-KEY.part holds what was worked out: a later run goes on from there and ends
-// with the same bytes.
-VolumeAnswer refined(Session& session, const VolumeRequest& request, const Work& work) {
+// Until the answer is in place, volume-KEY.part holds what was worked out: a later run goes on from there and
+// ends with the same bytes.
+VolumeAnswer refined(Session& session, const VolumeRequest& request, const Work& work, Told& told) {
   std::optional<VerdictFile> part;
   if (work.out) part.emplace(*work.out, answer_key(*session.joint, json_of(request), kVerdicts));
   VolumeSettings how{.most_cells = kMostVolumeCells, .threads = work.threads};
@@ -161,20 +157,21 @@ VolumeAnswer refined(Session& session, const VolumeRequest& request, const Work&
              formatted(" cells, %.3f of all rotations open, %.3f wanted", open, request.width));
   };
   VolumeAnswer found = answer(session, request, how);
-  if (work.out) write_cells(work.output("volume.csv"), found.volume);
-  if (part) part->remove();
+  if (work.out) told.wrote = {write_cells(work.output("volume.csv"), found.volume)};
+  if (part) told.spent = {part->file()};
   return found;
 }
 
 }  // namespace
 
 Told tell_volume(Session& session, const VolumeRequest& request, const Work& work) {
-  const VolumeAnswer found = refined(session, request, work);
-  Told told{.words = words_of_volume(found, request.width), .document = json_of(found)};
+  Told told;
+  const VolumeAnswer found = refined(session, request, work, told);
+  told.words = words_of_volume(found, request.width);
+  told.document = json_of(found);
   for (const char* share : {"share_low", "share_high", "reachable_low", "reachable_high", "unknown", "open"})
     told.row_of_one.push_back({share, std::string("/") + share});
   if (!work.out) return told;
-  told.wrote = {"volume.csv"};
   if (session.joint->side)
     told.files.push_back({"volume.svg", volume_picture(found.volume, *session.joint->side)});
   if (session.joint->side)

@@ -2,6 +2,7 @@
 #include "files/file_bytes.hpp"
 
 #include <cerrno>
+#include <cstdint>
 #include <fstream>
 #include <system_error>
 
@@ -26,6 +27,20 @@ void require_regular_file(const fs::path& file) {
   if (!fs::is_regular_file(status)) throw FileError(file, "is not a regular file", "name a file on the disk");
 }
 
+constexpr std::uintmax_t kGone = static_cast<std::uintmax_t>(-1);
+
+struct Stamp {
+  std::uintmax_t bytes;  // or kGone
+  fs::file_time_type time;
+  bool operator==(const Stamp&) const = default;
+};
+
+Stamp stamp_of(const fs::path& file) {
+  std::error_code gone;
+  const std::uintmax_t bytes = fs::file_size(file, gone);
+  return {bytes, fs::last_write_time(file, gone)};
+}
+
 }  // namespace
 
 std::string read_bytes(const fs::path& file) {
@@ -33,9 +48,13 @@ std::string read_bytes(const fs::path& file) {
   errno = 0;
   std::ifstream in(file, std::ios::binary);
   if (!in) throw FileError(file, "cannot be opened, " + system_message(errno), "check its permissions");
-  std::string bytes(static_cast<std::size_t>(fs::file_size(file)), '\0');
+  const Stamp before = stamp_of(file);
+  std::string bytes(before.bytes == kGone ? 0 : static_cast<std::size_t>(before.bytes), '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!in) throw FileError(file, "cannot be read to its end, " + system_message(errno), "check the disk");
+  if (!in && errno != 0)
+    throw FileError(file, "cannot be read to its end, " + system_message(errno), "check the disk");
+  if (!in || before.bytes == kGone || before != stamp_of(file))
+    throw FileError(file, "changed while it was read", "ask again when nothing writes to it");
   if (bytes.empty()) throw FileError(file, "is empty", "export or copy it again");
   return bytes;
 }

@@ -8,7 +8,7 @@
 
 namespace impinge {
 
-/// All bytes of a regular file that is not empty.
+/// All bytes of a regular file that is not empty and does not change meanwhile.
 std::string read_bytes(const std::filesystem::path& file);
 
 /// Writes beside `file` under a temporary name, syncs to the disk and renames: a reader finds either the old

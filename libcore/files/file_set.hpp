@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "files/temporary_file.hpp"
+
 namespace impinge {
 
 /// add() writes each file under a temporary name, so a full disk is noticed before any old file is touched;
@@ -24,6 +26,9 @@ class FileSet {
 
   /// The folder must exist. A file that holds these bytes already is left alone and keeps its time stamp.
   void add(const std::filesystem::path& file, std::string_view bytes);
+
+  /// A file that is written already.
+  void add(std::shared_ptr<TemporaryFile> written);
 
   /// Puts the files in place, in the order of add(). The set is then empty.
   void commit();

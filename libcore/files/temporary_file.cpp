@@ -32,13 +32,17 @@ void fail_writing(const fs::path& file, int error) {
 TemporaryFile::TemporaryFile(fs::path target)
     : target_(require_no_folder(std::move(target))),
       path_(target_.string() + ".part" + std::to_string(::getpid())),
-      handle_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)) {
+      handle_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)),
+      mine_(true) {
   if (handle_ < 0) fail_writing(target_, errno);
 }
 
+TemporaryFile::TemporaryFile(fs::path target, fs::path written)
+    : target_(require_no_folder(std::move(target))), path_(std::move(written)), handle_(-1), mine_(false) {}
+
 TemporaryFile::~TemporaryFile() {
-  ::close(handle_);
-  if (!renamed_) ::unlink(path_.c_str());
+  if (handle_ >= 0) ::close(handle_);
+  if (mine_) ::unlink(path_.c_str());
 }
 
 void TemporaryFile::write(std::string_view bytes) {
@@ -54,7 +58,7 @@ void TemporaryFile::rename() {
   if (::rename(path_.c_str(), target_.c_str()) != 0) {
     throw FileError(target_, "cannot be replaced, " + system_message(errno), "choose another name");
   }
-  renamed_ = true;
+  mine_ = false;
 }
 
 }  // namespace impinge

@@ -7,11 +7,14 @@
 
 namespace impinge {
 
-/// Removed by the destructor unless it was renamed. All members throw FileError, which names the target.
+/// Removed by the destructor unless it was renamed or is kept. All members throw FileError, which names the
+/// target.
 class TemporaryFile {
  public:
   /// Creates an empty file. The folder of the target must exist; a target that is a folder is refused.
   explicit TemporaryFile(std::filesystem::path target);
+  /// `written` is there already, and whole. It is kept, for a later run, where it is not renamed.
+  TemporaryFile(std::filesystem::path target, std::filesystem::path written);
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile();
@@ -27,7 +30,7 @@ class TemporaryFile {
   std::filesystem::path target_;
   std::filesystem::path path_;
   int handle_;
-  bool renamed_ = false;
+  bool mine_;  // to remove
 };
 
 /// Throws the FileError for a file that cannot be written; `error` is a value of errno.

@@ -32,6 +32,7 @@ inline void on_threads(std::size_t threads, const std::function<void(std::size_t
       std::thread thread;
     };
     std::vector<std::unique_ptr<Joined>> others;
+    others.reserve(threads);  // none is lost between its start and this list
     std::size_t begun = 1;
     try {
       for (; begun < threads; ++begun)

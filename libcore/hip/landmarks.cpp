@@ -8,10 +8,14 @@
 
 #include <Eigen/Geometry>
 
+#include "files/formatted.hpp"
+
 namespace impinge {
 namespace {
 
 constexpr double kClosest = 20.0;  // mm between landmarks of one bone: closer ones do not tell a direction
+constexpr double kWidestPelvis = 600.0;  // mm between ASIS: no human has half of it, so it is another unit
+constexpr double kWidestKnee = 250.0;    // mm between epicondyles, likewise
 // Widths of the knee from it to the hip, of which there are five to nine: farther ones are of another scan.
 constexpr double kFarthest = 20.0;
 
@@ -22,8 +26,11 @@ const Vec3& required(const std::optional<Vec3>& point, const std::string& name) 
   return *point;
 }
 
-void require_apart(const Vec3& from, const Vec3& to, const std::string& names) {
-  if ((to - from).norm() < kClosest) refuse("the landmarks " + names + " are closer than 20 mm; check them");
+void require_apart(const Vec3& from, const Vec3& to, const std::string& names, double widest) {
+  const double apart = (to - from).norm();
+  if (apart < kClosest) refuse("the landmarks " + names + " are closer than 20 mm; check them");
+  if (apart > widest)
+    refuse("the landmarks " + names + formatted(" are %.0f mm apart; give all places in mm", apart));
 }
 
 // On the line through two others a point tells no plane.
@@ -57,7 +64,7 @@ Eigen::Matrix3d pelvis_of(const Landmarks& landmarks, const Vec3& centre, std::o
   const Vec3 pubis = 0.5 * (required(landmarks.pubic_tubercle_right, "pubic_tubercle_right") +
                             required(landmarks.pubic_tubercle_left, "pubic_tubercle_left"));
   const Vec3 middle = 0.5 * (right + left);
-  require_apart(left, right, "asis_left and asis_right");
+  require_apart(left, right, "asis_left and asis_right", kWidestPelvis);
   require_beside(pubis, left, right, "of the ASIS and of the pubic tubercles");
   if ((axes * (right - left)).x() <= 0.0 ||
       (*landmarks.pubic_tubercle_right - *landmarks.pubic_tubercle_left).dot(right - left) < 0.0)
@@ -78,7 +85,7 @@ Eigen::Matrix3d femur_of(const Landmarks& landmarks, const Vec3& centre, Side si
   const Vec3& medial = required(landmarks.epicondyle_medial, "epicondyle_medial");
   const Vec3& lateral = required(landmarks.epicondyle_lateral, "epicondyle_lateral");
   const Vec3 knee = 0.5 * (medial + lateral);
-  require_apart(medial, lateral, "epicondyle_medial and epicondyle_lateral");
+  require_apart(medial, lateral, "epicondyle_medial and epicondyle_lateral", kWidestKnee);
   require_beside(centre, medial, lateral, "of the epicondyles and the centre of rotation");
   if ((knee - centre).norm() > kFarthest * (lateral - medial).norm())
     refuse(

@@ -39,7 +39,8 @@ struct AnatomicalFrames {
 
 /// `centre` is the centre of rotation in the frame of the meshes (mm), `axes` the rotation of
 /// input_to_joint() (hip/anatomy.hpp). std::invalid_argument, one line, if a point of the pelvis is missing,
-/// one epicondyle is given alone, epicondyles are given without a side, points are closer than 20 mm or lie
+/// one epicondyle is given alone, epicondyles are given without a side, points are closer than 20 mm, farther
+/// apart than in any human (another unit than mm) or lie
 /// on one line, the knee is farther from the centre than any is, or left and right, above and below, or
 /// medial and lateral contradict the axes, the side or the centre.
 AnatomicalFrames anatomical_frames(const Landmarks& landmarks, const Vec3& centre, std::optional<Side> side,

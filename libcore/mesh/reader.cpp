@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <new>
 #include <span>
 #include <string>
 #include <system_error>
@@ -139,6 +141,17 @@ void triangulate(const fs::path& file, Assimp::Importer& importer) {
   }
 }
 
+// Why assimp has no scene; std::bad_alloc where it had too little memory.
+[[noreturn]] void fail_reading(const fs::path& file, const Assimp::Importer& importer) {
+  try {
+    if (importer.GetException()) std::rethrow_exception(importer.GetException());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {  // GetErrorString() has its text
+  }
+  throw FileError(file, std::string("cannot be read, ") + importer.GetErrorString(), "export it again");
+}
+
 // A sparse file may declare more than any memory holds.
 void require_size(const fs::path& file) {
   std::error_code elsewhere;  // read_bytes() says what is wrong with a file that cannot be looked up
@@ -163,9 +176,8 @@ TriangleMesh parse_mesh(const fs::path& file, std::string bytes) {
   if (bytes.empty()) throw FileError(file, "is empty", "export or copy it again");
   const MeshFileContent content = check(file, format, bytes);
   Assimp::Importer importer;
-  if (importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, assimp_hint(format)) == nullptr) {
-    throw FileError(file, std::string("cannot be read, ") + importer.GetErrorString(), "export it again");
-  }
+  if (importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, assimp_hint(format)) == nullptr)
+    fail_reading(file, importer);
   check_coordinates(file, *importer.GetScene());
   check_scene(file, *importer.GetScene(), content);
   triangulate(file, importer);
