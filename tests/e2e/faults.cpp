@@ -22,7 +22,7 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
-// NOLINTBEGIN(bugprone-reserved-identifier, cert-*): names of glibc
+// NOLINTBEGIN(readability-identifier-naming): names of glibc
 extern "C" {
 void* __libc_malloc(size_t size);
 void* __libc_calloc(size_t count, size_t size);
@@ -193,4 +193,4 @@ int stat(const char* name, struct stat* found) {
 }
 
 }  // extern "C"
-// NOLINTEND(bugprone-reserved-identifier, cert-*)
+// NOLINTEND(readability-identifier-naming)
