@@ -165,7 +165,7 @@ VolumeAnswer refined(Session& session, const VolumeRequest& request, const Work&
 }  // namespace
 
 Told tell_volume(Session& session, const VolumeRequest& request, const Work& work) {
-  Told told;
+  Told told{};
   const VolumeAnswer found = refined(session, request, work, told);
   told.words = words_of_volume(found, request.width);
   told.document = json_of(found);

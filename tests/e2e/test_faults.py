@@ -71,6 +71,7 @@ class Faults(unittest.TestCase):
         counts = self.root / "counts"
         done = run(words_of(command, self.out), IMPINGE_COUNTS=str(counts))
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("is left from an earlier", done.stderr)
         numbers = dict(zip(("memory", "bytes", "change", "look"), map(int, counts.read_text().split())))
         return without_times(done.stdout), files_in(self.out), numbers | {"memories": numbers["memory"]}
 
