@@ -3,16 +3,13 @@
 
 #include <string>
 
+#include "command/joint_command.hpp"
 #include "command/question_command.hpp"
-#include "command/report_clock.hpp"
-#include "command/report_page.hpp"
-#include "command/report_plots.hpp"
-#include "command/report_scene.hpp"
-#include "command/volume_picture.hpp"
 #include "files/formatted.hpp"
 #include "files/rows.hpp"
-#include "joint/joint_document.hpp"
 #include "joint/joint_files.hpp"
+#include "report/clock.hpp"
+#include "report/page.hpp"
 
 namespace impinge {
 namespace {
@@ -58,23 +55,6 @@ VolumeSettings volume_settings(const ReportRequest& request, const Work& work) {
   return how;
 }
 
-ReportParts parts_of(const SessionJoint& joint, const ReportRequest& request, const ReportAnswer& found,
-                     const Json& said, const Work& work) {
-  ReportParts parts{.ball = work.inputs.at(0).filename().string(),
-                    .socket = work.inputs.at(1).filename().string()};
-  parts.joint = without_folders(json_of(describe(joint, {parts.ball, parts.socket})), work.inputs);
-  parts.doubts = joint.joint.doubts;
-  parts.request = json_of(request);
-  parts.answer = said;
-  parts.scene = report_scene(joint, found.gaps);
-  if (const std::optional<ClockMap> map = clock_map(joint, found.gaps))
-    parts.clock = clock_plot(*map, said["gaps"]);
-  if (found.limits) parts.limits = limits_plot(said["limits"]);
-  if (found.volume) parts.volume = volume_picture(found.volume->volume, *joint.side);
-  if (found.measures) parts.measures = measures_plot(said["measures"]);
-  return parts;
-}
-
 void add_files(Told& told, const SessionJoint& joint, const ReportAnswer& found, const ReportParts& parts) {
   told.files = {{"report.html", report_page(parts)}, {"gaps.csv", gaps_csv(joint, found.gaps)}};
   if (const std::optional<ClockMap> map = clock_map(joint, found.gaps))
@@ -91,10 +71,15 @@ Told tell_report(Session& session, const ReportRequest& request, const Work& wor
   if (!work.out) throw std::invalid_argument("--out: a report needs a folder for its files; give --out DIR");
   const ReportAnswer found = answer(session, request, volume_settings(request, work));
   const SessionJoint& joint = *session.joint;
-  Told told{.words = {}, .document = json_of(found)};
+  const auto name = [&work](std::size_t k) { return work.inputs.at(k).filename().string(); };
+  ReportParts parts = report_parts(joint, {.ball = name(0), .socket = name(1)}, request, found);
+  parts.joint = without_folders(parts.joint, work.inputs);
+  parts.program = std::string("impinge ") + kVersion + ", commit " + commit();
+  parts.viewer = kReportViewer;
+  Told told{.words = {}, .document = parts.answer};
   told.row_of_one = {{"contact", "/gaps/contact/state"}, {"smallest_gap_mm", "/gaps/smallest_gap/gap_mm"}};
-  add_files(told, joint, found, parts_of(joint, request, found, told.document, work));
-  if (!has_viewer()) work.warn("report.html does not draw the bones: " + viewer_missing());
+  add_files(told, joint, found, parts);
+  if (parts.viewer.empty()) work.warn("report.html does not draw the bones: " + viewer_missing());
   told.words = "report              open " + (*work.out / "report.html").string() + " in a browser\n";
   return told;
 }
