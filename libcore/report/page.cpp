@@ -430,9 +430,8 @@ std::string report_page(const ReportParts& parts) {
   page += "</main>\n<footer>\n" +
           paragraph(
               "What is proven holds for these two meshes: it does not cover how they differ from the bones, "
-              "nor the error "
-              "of the centre beyond the ranges given. `impinge report` writes all numbers, too, as "
-              "summary.json.") +
+              "nor the error of the centre beyond the ranges given. summary.json, which the program writes "
+              "beside its report, has all numbers.") +
           "</footer>\n";
   if (!parts.viewer.empty())
     page += "<script type=\"application/json\" id=\"scene\">" + script_text(parts.scene.dump()) +

@@ -351,6 +351,7 @@ function besideFiles() {
 /** The report is the program's, and draws the bones. */
 async function report(page) {
   const { ball, socket } = madePair("cam");
+  await posed(page, () => page.click("#reset-pose"));
   await page.click("#save-report");
   await page.click("#keep-cancel");
   assert.equal(await text(page, "keep-say"), "Cancelled.");
