@@ -7,6 +7,7 @@
 #include <new>
 #include <thread>
 
+#include "command/answer_document.hpp"
 #include "command/joint_command.hpp"
 #include "command/request_options.hpp"
 #include "files/one_line.hpp"

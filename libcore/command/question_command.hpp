@@ -14,6 +14,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "command/answer_document.hpp"
 #include "command/request_options.hpp"
 #include "files/csv.hpp"
 #include "files/fields.hpp"
@@ -42,12 +43,6 @@ struct Work {
   std::filesystem::path output(const std::string& name) const;
   /// The name of a mesh's file.
   std::string mesh_file(const std::string& stem) const;
-};
-
-/// A file of an answer.
-struct AnswerFile {
-  std::string name;
-  std::string bytes;
 };
 
 /// A column of joints.csv, and the place of its value in the document (a JSON pointer).

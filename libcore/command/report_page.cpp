@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "command/joint_command.hpp"
+#include "command/answer_document.hpp"
 #include "command/report_plots.hpp"
 #include "command/report_svg.hpp"
 #include "files/formatted.hpp"

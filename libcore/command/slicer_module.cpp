@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "command/answer_document.hpp"
 #include "command/joint_command.hpp"
 #include "files/finite_number.hpp"
 
