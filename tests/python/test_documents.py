@@ -86,10 +86,18 @@ OF_ALL = [
     ("limits", {"motions": ["internal_rotation"], "pose": "flexion=90", "translation": [0, 0, 0.2]}, []),
     ("poses", {"path": "flexion=0..120/30,internal_rotation=-20..20/20", "outputs": ["touch", "gap", "areas"], "cartilage_mm": 2}, []),
     ("volume", {"width": 0.6}, []),
-    ("resect", {"require": ["flexion=30"], "cut": "socket", "rim_mm": 4}, []),
+    ("resect", {"require": ["flexion=30"], "cut": "socket", "rim_mm": 4, "clearance_mm": 0.05}, []),
     ("orient", {"require": ["flexion=20"], "resolution_deg": 3, "inclination_deg": 40, "anteversion_deg": 15}, []),
     ("measure", {}, []),
 ]
+
+
+def ply(file):
+    """Of a file of the program: its head, vertices and faces."""
+    head, body = file.read_bytes().split(b"end_header\n", 1)
+    ends = 24 * int(re.search(rb"element vertex (\d+)", head)[1])
+    rows = np.frombuffer(body[ends:], [("corners", "u1"), ("of", "<u4", 3)])
+    return head + b"end_header\n", np.frombuffer(body[:ends]).reshape(-1, 3), rows["of"]
 
 
 @pytest.fixture(name="whole", scope="module")
@@ -99,10 +107,10 @@ def made_whole(tmp_path_factory):
     sizes = ("aiis_height=10", "greater_trochanter_width=30", "lesser_trochanter_height=8", "joint_space=0.5")
     done = program("IMPINGE", "hip", "cam", *(word for size in sizes for word in ("--set", size)), "--faces", 3000, "--out", folder)
     assert done.returncode == 0, done.stderr
-    for name in ("ball", "greater_trochanter", "lesser_trochanter"):  # larger by a twentieth
-        head, body = (folder / f"{name}.ply").read_bytes().split(b"end_header\n", 1)
-        ends = 24 * int(re.search(rb"element vertex (\d+)", head)[1])
-        (folder / f"{name}.ply").write_bytes(head + b"end_header\n" + (1.05 * np.frombuffer(body[:ends])).tobytes() + body[ends:])
+    for file in folder.glob("*.ply"):  # in floats, which readers keep
+        head, vertices, _ = ply(file)
+        larger = 1.0 if file.stem in ("socket", "aiis") else 1.05
+        file.write_bytes(head + (larger * vertices).astype("<f4").astype("<f8").tobytes() + file.read_bytes()[len(head) + vertices.nbytes :])
     places = standing(np.zeros(3), 6) | {"epicondyle_medial": (-30, 20, -380), "epicondyle_lateral": (40, 20, -380)}
     thickness = [(*x, 2 + 0.05 * x[0]) for x in 20 * np.concatenate([np.eye(3), -np.eye(3)])]
     table_of = "x,y,z,thickness_mm\n" + "".join(",".join(map(str, map(float, row))) + "\n" for row in thickness)
@@ -112,11 +120,10 @@ def made_whole(tmp_path_factory):
 
 
 def arrays_of(whole):
-    """The same as arrays and dicts, which trust no reader of ours beyond that of ball and socket."""
-    mesh = lambda file: (lambda s: (s.vertices, s.faces))(impinge.Joint.read(file, whole["socket"], centre=(0, 0, 0)).ball)  # noqa: E731
-    parts = {key: {file.stem: mesh(file) for file in np.atleast_1d(whole[key])} for key in ("ball_part", "socket_part")}
+    """The same as arrays and dicts."""
+    meshes = {key: {file.stem: ply(file)[1:] for file in np.atleast_1d(whole[key])} for key in ("ball", "socket", "ball_part", "socket_part")}
     places = {row["label"]: [float(row[axis]) for axis in "xyz"] for row in table(whole["landmarks"].parent, "points.csv")}
-    return {**{key: mesh(whole[key]) for key in ("ball", "socket")}, **parts, "landmarks": places,
+    return {**meshes, "ball": meshes["ball"]["ball"], "socket": meshes["socket"]["socket"], "landmarks": places,
             "cartilage_map": np.loadtxt(whole["cartilage_map"], delimiter=",", skiprows=1)}
 
 
