@@ -31,13 +31,16 @@ def carry(module, licenses):
     """Puts them beside the module, which then looks for them there alone."""
     needed = libraries(module)
     own = {name: re.sub(r"\.so", f"-{hashlib.sha256(file.read_bytes()).hexdigest()[:8]}.so", name, count=1) for name, file in needed.items()}
-    renamed = [word for names in own.items() for word in ("--replace-needed", *names)]
     for name, file in needed.items():
-        copy = shutil.copyfile(file, module.parent / own[name])
-        run("patchelf", "--set-soname", own[name], *renamed, "--set-rpath", "$ORIGIN", copy)
+        run("patchelf", "--set-soname", own[name], shutil.copyfile(file, module.parent / own[name]))
         package = run("dpkg", "-S", f"*/{file.name}").split(":")[0]
         shutil.copyfile(f"/usr/share/doc/{package}/copyright", licenses / package)
-    run("patchelf", *renamed, "--set-rpath", "$ORIGIN", module)
+    for file in (module, *(module.parent / name for name in own.values())):  # patchelf mixes up two requests in one call
+        run("patchelf", *(word for names in own.items() for word in ("--replace-needed", *names)), file)
+        run("patchelf", "--set-rpath", "$ORIGIN", file)
+    strange = [name for name, file in libraries(module).items() if file.parent != module.parent]
+    if strange:
+        sys.exit(f"make_wheel.py: {', '.join(strange)} would still be looked for in the system")
 
 
 def main(folder):
@@ -47,12 +50,14 @@ def main(folder):
     out.mkdir(parents=True, exist_ok=True)
     with TemporaryDirectory() as work:
         run(sys.executable, "-m", "pip", "wheel", "--no-index", "--no-deps", "--no-build-isolation", "--wheel-dir", work, here)
-        run(sys.executable, "-m", "wheel", "unpack", "--dest", work, *Path(work).glob("*.whl"))
+        (wheel,) = Path(work).glob("*.whl")
+        run(sys.executable, "-m", "wheel", "unpack", "--dest", work, wheel)
         (module,) = Path(work).glob("*/impinge/_impinge*.so")
         (info,) = module.parents[1].glob("*.dist-info")
         (info / "licenses").mkdir()
         carry(module, info / "licenses")
-        print(run(sys.executable, "-m", "wheel", "pack", "--dest-dir", out, module.parents[1]).split()[-1])
+        run(sys.executable, "-m", "wheel", "pack", "--dest-dir", out, module.parents[1])
+        print(out / wheel.name)
 
 
 if __name__ == "__main__":

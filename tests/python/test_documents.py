@@ -85,9 +85,9 @@ OF_ALL = [
     ("limits", {"motions": ["flexion", "abduction"], "cartilage_mm": "scan"}, []),
     ("limits", {"motions": ["internal_rotation"], "pose": "flexion=90", "translation": [0, 0, 0.2]}, []),
     ("poses", {"path": "flexion=0..120/30,internal_rotation=-20..20/20", "outputs": ["touch", "gap", "areas"], "cartilage_mm": 2}, []),
-    ("volume", {"width": 0.6}, []),
+    ("volume", {"width": 0.8}, []),
     ("resect", {"require": ["flexion=30"], "cut": "socket", "rim_mm": 4, "clearance_mm": 0.05}, []),
-    ("orient", {"require": ["flexion=20"], "resolution_deg": 3, "inclination_deg": 40, "anteversion_deg": 15}, []),
+    ("orient", {"require": ["flexion=20"], "resolution_deg": 6, "inclination_deg": 40, "anteversion_deg": 15}, []),
     ("measure", {}, []),
 ]
 
