@@ -59,6 +59,7 @@ void add_pyramid(const Vec3& tip, const std::vector<Vec3>& ring, TriangleMesh& m
 TriangleMesh ball_with_needle() {
   TriangleMesh ball = sphere(kBallRadius, kFaces);
   std::vector<Vec3> base;
+  base.reserve(kTurns);
   for (int k = 0; k < kTurns; ++k) base.push_back(kWidth * outward(k) + (kTop - kLength) * Vec3::UnitZ());
   add_pyramid(kTop * Vec3::UnitZ(), base, ball);
   return ball;

@@ -46,7 +46,7 @@ std::vector<std::string> files_of_earlier(const fs::path& folder) {
 }  // namespace
 
 fs::path Work::output(const std::string& name) const {
-  const fs::path file = out.value() / name;
+  fs::path file = out.value() / name;
   std::error_code not_there;
   for (const fs::path& input : inputs) {
     if (fs::equivalent(input, file, not_there))

@@ -211,9 +211,10 @@ void run_all(const JointCommand& command, const Screen& screen) {
       folder.write(answered.told, answered.document, work);
       documents.push_back(std::move(answered.document));
     } catch (const std::exception& error) {
-      const std::string what = one_line(error.what());
+      std::string what = one_line(error.what());
       const std::string where = at.ball.parent_path().string();
-      left_out.push_back(what.find(where) == what.npos ? where + ": " + what : what);
+      if (what.find(where) == what.npos) what.insert(0, where + ": ");
+      left_out.push_back(std::move(what));
     }
   }
   for (const std::string& reason : left_out)

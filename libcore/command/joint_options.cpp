@@ -85,6 +85,7 @@ std::string describe_taken(const fs::path& file, Surface of, const JointPart& pa
 
 std::vector<std::string> texts_of(const std::vector<fs::path>& files) {
   std::vector<std::string> texts;
+  texts.reserve(files.size());
   for (const fs::path& file : files) texts.push_back(file.string());
   return texts;
 }

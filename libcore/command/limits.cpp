@@ -11,7 +11,7 @@ namespace impinge {
 namespace {
 
 std::string bracket(const TurnLimit& limit) {
-  const std::string low = rounded_down(limit.low_deg, 1);
+  std::string low = rounded_down(limit.low_deg, 1);
   switch (limit.state) {
     case LimitState::limited:
       return low;

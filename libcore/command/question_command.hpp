@@ -77,8 +77,8 @@ struct QuestionCommand {
   std::function<Json()> request{};  // as JSON
   std::function<std::vector<std::filesystem::path>()> files{};  // that it names
   std::function<Told(Session&, const Work&)> ask{};  // std::exception, one line, where there is no answer
-  Json request_schema{};
-  Json answer_schema{};
+  Json request_schema = Json::object();
+  Json answer_schema = Json::object();
 };
 
 /// Where a request has a gap that counts as contact, it says how large it is and which option gave it.

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "files/formatted.hpp"
 #include "hip/sphere_fit.hpp"
 
 namespace impinge {
@@ -208,7 +209,12 @@ SphereFit fit_socket(const TriangleMesh& socket, const SphereFit& head, const Ba
     return from > kSocketStart && from < kSocketEnd && area_vector(socket, face).dot(arm) < 0.0;
   });
   if (inside.faces.empty()) throw std::invalid_argument("no face of the socket looks to its centre");
-  return fit_ball(inside, options);
+  SphereFit fit = fit_ball(inside, options);
+  const double apart = (fit.centre - head.centre).norm();
+  if (apart > head.radius)
+    throw std::invalid_argument(
+        formatted("the sphere that fits the socket has its centre %.0f mm from that of the head", apart));
+  return fit;
 }
 
 std::vector<double> sphere_deviations(const TriangleMesh& mesh, const SphereFit& fit) {

@@ -47,7 +47,8 @@ SphereFit fit_ball(const TriangleMesh& mesh, const BallFitOptions& options = {})
 
 /// Centre of a socket: fit_ball() of the faces that are 0.8 to 1.5 radii of the head away from its centre and
 /// look to it, since a wall has an outer side, about nearly the same centre, and a whole pelvis has more.
-/// Both in one frame. std::invalid_argument as for fit_sphere(), or if no face is so.
+/// Both in one frame. std::invalid_argument as for fit_sphere(), if no face is so, or if the centres are more
+/// than the head's radius apart, as those of a glenoid are, which is too flat to have one.
 SphereFit fit_socket(const TriangleMesh& socket, const SphereFit& head, const BallFitOptions& options = {});
 
 /// The deviation map of Figures 38 and 39: distance of each vertex from the sphere, positive outside of it,

@@ -50,7 +50,7 @@ PoseList list_of(const PosesRequest& request, const SessionJoint& joint) {
 }
 
 Pose pose_in(const SessionJoint& joint, const PoseList& list, std::size_t row) {
-  const Pose own = list.pose(row, joint.side);
+  Pose own = list.pose(row, joint.side);
   if (list.kind == PoseKind::meshes) return pose_about(joint.joint.centre, own.rotation, own.translation);
   if (list.from_scan()) return own;
   return {joint.axes.transpose() * own.rotation * joint.axes, own.translation};

@@ -197,5 +197,17 @@ TEST(SocketFit, IsThatOfTheInnerWallWhereTheOuterOneIsLarger) {
   EXPECT_THROW(fit_socket(walls, head), std::invalid_argument);
 }
 
+TEST(SocketFit, OfOneThatIsTooFlatIsNone) {
+  SphereFit head;
+  head.radius = kHead;
+  const auto behind = [](double apart) {  // a millimetre above the head, and flatter than it
+    TriangleMesh flat = cup(kHead + 1.0 + apart, 25.0, 3000);
+    for (Vec3& x : flat.vertices) x -= apart * Vec3::UnitZ();
+    return flat;
+  };
+  EXPECT_NEAR(fit_socket(behind(kHead - 1.0), head).radius, 2.0 * kHead, 0.1);
+  EXPECT_THROW(fit_socket(behind(kHead + 1.0), head), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace impinge

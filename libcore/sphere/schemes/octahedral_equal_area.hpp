@@ -35,7 +35,7 @@ class OctahedralEqualArea {
  public:
   static constexpr std::string_view name = "octahedral_equal_area";
   static constexpr std::string_view label = "Octahedral, equal-area";
-  static constexpr std::string_view citation = "Clarberg 2008, Journal of Graphics Tools 13(4):53-64";
+  static constexpr std::string_view citation = "Clarberg 2008, Journal of Graphics Tools 13(3):53-68";
 
   OctahedralEqualArea() : OctahedralEqualArea(90) {}
   static OctahedralEqualArea with_precision(double degrees) {
