@@ -127,6 +127,10 @@ std::string words_of_volume(const VolumeAnswer& found, double width) {
                                100.0 * shares.high());
   if (shares.unknown > 0.0)
     text += formatted("; of %.2f %% nothing is known: the ball's mesh ends there", 100.0 * shares.unknown);
+  text += formatted(
+      "\nmobility            %.2f to %.2f million degrees^3 of 14.85, weighted by the cosine\n"
+      "                    of bones alone: ligaments and muscles forbid most of what bones allow",
+      1e-6 * found.mobility_low_deg3(), 1e-6 * found.mobility_high_deg3());
   if (found.neutral_blocked()) return text + "\nreachable           none: the pose of the scan is blocked\n";
   text += formatted("\nreachable           %.2f to %.2f %% from the pose of the scan without contact\n",
                     100.0 * shares.reached(), 100.0 * shares.within_reach());
@@ -173,6 +177,8 @@ Told tell_volume(Session& session, const VolumeRequest& request, const Work& wor
   told.wrote = {"volume.csv"};
   if (session.joint->side)
     told.files.push_back({"volume.svg", volume_picture(found.volume, *session.joint->side)});
+  if (session.joint->side)
+    told.files.push_back({"mobility.svg", mobility_picture(found.volume, *session.joint->side)});
   told.files.push_back({"volume.json", text_of(told.document)});
   return told;
 }

@@ -57,17 +57,31 @@ struct VolumeMotion {
       Field{"socket_part", "", "the same of the socket", &VolumeMotion::socket_part}};
 };
 
+/// Volume of all rotations in the space of three Euler angles about axes that change, the middle one at right
+/// angles to both others, whose volume is weighted by the cosine of the middle angle: degrees^3. So weighted
+/// it is the invariant measure, and a share of it is the same for all axes (Manafzadeh and Gatesy 2020,
+/// doi:10.1242/jeb.227108).
+inline constexpr double kAllRotationsDeg3 = 360.0 * 360.0 * 360.0 / kPi;
+
 struct VolumeAnswer {
   std::vector<VolumeMotion> motions;
   MotionVolume volume;
 
   const VolumeShares& shares() const { return volume.shares(); }
+  double mobility_low_deg3() const { return shares().low() * kAllRotationsDeg3; }
+  double mobility_high_deg3() const { return shares().high() * kAllRotationsDeg3; }
   bool neutral_blocked() const { return shares().reachable_high == 0.0; }
 
   static constexpr std::tuple fields{
       Field{"share_low", "1", "of all rotations that is free, at least",
             via(&VolumeAnswer::shares, &VolumeShares::low)},
       Field{"share_high", "1", "at most", via(&VolumeAnswer::shares, &VolumeShares::high)},
+      Field{
+          "mobility_low_deg3", "deg^3",
+          "volume that is free in Euler angles, weighted by the cosine of the middle one, whatever the axes "
+          "(Manafzadeh and Gatesy 2020); of 14,851,066 in all, at least",
+          &VolumeAnswer::mobility_low_deg3},
+      Field{"mobility_high_deg3", "deg^3", "at most", &VolumeAnswer::mobility_high_deg3},
       Field{"reachable_low", "1", "share that is reached from the pose of the scan without contact, at least",
             via(&VolumeAnswer::shares, &VolumeShares::reached)},
       Field{"reachable_high", "1", "at most", via(&VolumeAnswer::shares, &VolumeShares::within_reach)},

@@ -17,10 +17,9 @@ MapPicture::MapPicture(const MapExtentShown& shown) : shown_(shown) {
       x(shown.right) + 10.0, y(shown.bottom) + 50.0);
 }
 
-void MapPicture::square(double across, double up, double width, std::string_view fill) {
-  const double side = width * shown_.scale;
+void MapPicture::rectangle(double across, double up, double width, double height, std::string_view fill) {
   svg_ += formatted("<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"%s\"/>\n", x(across),
-                    y(up + width), side, side, std::string(fill).c_str());
+                    y(up + height), width * shown_.scale, height * shown_.scale, std::string(fill).c_str());
 }
 
 void MapPicture::name_angles() {

@@ -33,7 +33,10 @@ class MapPicture {
   explicit MapPicture(const MapExtentShown& shown);
 
   /// From the corner at the least angles.
-  void square(double across, double up, double width, std::string_view fill);
+  void rectangle(double across, double up, double width, double height, std::string_view fill);
+  void square(double across, double up, double width, std::string_view fill) {
+    rectangle(across, up, width, width, fill);
+  }
   /// Elements of SVG; x() and y() are where an angle is.
   void add(std::string_view element) { svg_ += element; }
   double x(double across) const { return kMargin + (across - shown_.left) * shown_.scale; }

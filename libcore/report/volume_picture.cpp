@@ -2,7 +2,11 @@
 #include "report/volume_picture.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include <Eigen/Geometry>
+
+#include "hip/motion.hpp"
 #include "joint/volume_map.hpp"
 #include "report/map_picture.hpp"
 
@@ -19,6 +23,17 @@ std::string colour(const MotionVolume& volume, const Motion& pose, Side side) {
   const auto [state, range] = map_square(volume, pose, side);
   if (state == CellState::free) return shade(range);
   return std::string(state == CellState::blocked ? kMapBlocked : kMapUndecided);
+}
+
+// Degrees of rotation about the femur's axis that are free, of 360.
+int free_rotations(const MotionVolume& volume, Motion pose, Side side) {
+  int free = 0;
+  for (int rotation = -180; rotation < 180; rotation += kMapStep) {
+    pose.internal_rotation = rotation + 0.5 * kMapStep;
+    const Eigen::Quaterniond q(joint_rotation(pose, side));
+    free += volume.at({q.w(), q.x(), q.y(), q.z()}).state == CellState::free ? kMapStep : 0;
+  }
+  return free;
 }
 
 }  // namespace
@@ -43,6 +58,33 @@ std::string volume_picture(const MotionVolume& volume, Side side) {
     picture.key(2, 22 * k, shade(30.0 * k), std::to_string(30 * k) + (k == 4 ? "+" : ""));
   picture.key(2, 117, kMapBlocked, "blocked");
   picture.key(2, 153, kMapUndecided, "undecided");
+  return picture.finished();
+}
+
+std::string mobility_picture(const MotionVolume& volume, Side side) {
+  MapPicture picture({.left = -180.0,
+                      .right = 180.0,
+                      .bottom = -90.0,
+                      .top = 90.0,
+                      .step_across = 90,
+                      .step_up = 45,
+                      .beside = "abduction, degrees"});
+  for (int abduction = -90; abduction < 90; abduction += kMapStep) {
+    const double middle = abduction + 0.5 * kMapStep;
+    const double cosine = std::cos(middle * kDegree);
+    picture.rectangle(-180.0 * cosine, abduction, 360.0 * cosine, kMapStep, kMapBlocked);
+    for (int flexion = -180; flexion < 180; flexion += kMapStep) {
+      const int free = free_rotations(volume, {flexion + 0.5 * kMapStep, middle, 0.0}, side);
+      if (free > 0) picture.rectangle(flexion * cosine, abduction, kMapStep * cosine, kMapStep, shade(free));
+    }
+  }
+  picture.name_angles();
+  picture.mark(0.0, 0.0, true);
+  picture.words(0, "flexion times the cosine of the abduction, degrees; the ring is the neutral pose");
+  picture.words(1, "certainly without contact, of all 360 degrees of rotation about the femur's axis:");
+  for (int k = 0; k <= 4; ++k)
+    picture.key(2, 22 * k, shade(30.0 * k), std::to_string(30 * k) + (k == 4 ? "+" : ""));
+  picture.key(2, 117, kMapBlocked, "none");
   return picture.finished();
 }
 

@@ -14,4 +14,9 @@ namespace impinge {
 /// certainly without contact; grey where the pose without rotation is blocked, white where it is undecided.
 std::string volume_picture(const MotionVolume& volume, Side side);
 
+/// An SVG of all rotations in the sinusoidal map of Manafzadeh and Gatesy 2020 (doi:10.1242/jeb.227108):
+/// abduction upwards, and flexion times the cosine of the abduction across, so that areas are shares of all
+/// rotations. The darker, the more of the rotations about the femur's axis are free there.
+std::string mobility_picture(const MotionVolume& volume, Side side);
+
 }  // namespace impinge

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cells that `impinge volume` writes sum to all rotations, and an interrupted run ends with the same
 // bytes.
+#include "joint/volume.hpp"
+
+#include <cmath>
 #include <filesystem>
 #include <optional>
+#include <random>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "command/answer_key.hpp"
 #include "files/file_bytes.hpp"
 #include "hip/named_motion.hpp"
+#include "limits/body_pairs.hpp"
 #include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"
 #include "rotations/rotation_cells.hpp"
@@ -67,6 +73,53 @@ TEST_F(VolumeCommand, WritesCellsThatSumToAllRotations) {
   EXPECT_LE(found["open"].get<double>(), 0.3);
   EXPECT_EQ(found["motions"].size(), named_motions().size());
   EXPECT_TRUE(read_bytes(out / "volume.svg").starts_with("<svg"));
+  EXPECT_TRUE(read_bytes(out / "mobility.svg").starts_with("<svg"));
+}
+
+// Random poses whose Euler angles are even, in a hundred joint coordinate systems, each asked of the bodies
+// themselves.
+TEST(VolumeMobility, IsThatOfEulerAnglesAboutWhateverAxes) {
+  constexpr int kSystems = 100;
+  constexpr int kPoses = 100;
+  const BallSocketPair pair = make_ball_socket_pair(400, impinging_cam());
+  JointInput input;
+  input.ball = {"ball", pair.ball};
+  input.socket = {"socket", pair.socket};
+  input.centre = Vec3::Zero();
+  Session session(assemble_joint(std::move(input)), Side::right, "RAS");
+  const VolumeAnswer found = answer(session, VolumeRequest{.width = 0.1});
+  const BodyPairs bodies(pair, {});
+  std::mt19937_64 engine(53);
+  std::uniform_real_distribution<double> even;
+  std::normal_distribution<double> normal;
+  const auto turned = [&]() -> Eigen::Matrix3d {
+    return Eigen::Quaterniond(normal(engine), normal(engine), normal(engine), normal(engine))
+        .normalized()
+        .toRotationMatrix();
+  };
+  double sum = 0.0;
+  for (int system = 0; system < kSystems; ++system) {
+    const Eigen::Matrix3d pelvis = turned();
+    const Eigen::Matrix3d femur = turned();
+    double mean = 0.0;
+    for (int k = 0; k < kPoses; ++k) {
+      const double middle = kPi * (even(engine) - 0.5);
+      const Eigen::Quaterniond q = Eigen::AngleAxisd(2.0 * kPi * even(engine), Vec3::UnitZ()) *
+                                   Eigen::AngleAxisd(middle, Vec3::UnitY()) *
+                                   Eigen::AngleAxisd(2.0 * kPi * even(engine), Vec3::UnitX());
+      const bool free =
+          bodies.verdict({pelvis * q.toRotationMatrix() * femur, Vec3::Zero()}).contact == Contact::no;
+      mean += free ? std::cos(middle) / kPoses : 0.0;
+    }
+    const double mobility = 360.0 * 180.0 * 360.0 * mean;
+    constexpr double kSpread = 5.0 * 360.0 * 180.0 * 360.0 * 0.5 / 10.0;  // five standard deviations at most
+    EXPECT_GT(mobility, found.mobility_low_deg3() - kSpread);
+    EXPECT_LT(mobility, found.mobility_high_deg3() + kSpread);
+    sum += mobility;
+  }
+  constexpr double kSpread = 5.0 * 360.0 * 180.0 * 360.0 * 0.5 / 100.0;
+  EXPECT_GT(sum / kSystems, found.mobility_low_deg3() - kSpread);
+  EXPECT_LT(sum / kSystems, found.mobility_high_deg3() + kSpread);
 }
 
 TEST_F(VolumeCommand, GoesOnWhereItWasInterrupted) {
@@ -89,7 +142,7 @@ TEST_F(VolumeCommand, GoesOnWhereItWasInterrupted) {
     EXPECT_EQ(run(again), 0);
     const bool some = left.starts_with(verdicts.substr(0, 20));
     EXPECT_EQ(log_.find("cells were decided before") != std::string::npos, some);
-    for (const char* file : {"volume.csv", "volume.json", "volume.svg"})
+    for (const char* file : {"volume.csv", "volume.json", "volume.svg", "mobility.svg"})
       EXPECT_EQ(read_bytes(again / file), read_bytes(whole / file)) << file;
     EXPECT_FALSE(std::filesystem::exists(part));
   }

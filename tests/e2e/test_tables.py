@@ -137,7 +137,7 @@ class Tables(unittest.TestCase):
             self.assertEqual(list(row), ["share_low", "share_high", "reachable_low", "reachable_high", "unknown", "open"])
             self.assertEqual([float(cell) for cell in row.values()], [said[key] for key in row])
             for of in (alone, every / name):
-                self.assertEqual(sorted(file.name for file in of.iterdir()), ["summary.json", "volume.csv", "volume.json", "volume.svg"])
+                self.assertEqual(sorted(file.name for file in of.iterdir()), ["mobility.svg", "summary.json", "volume.csv", "volume.json", "volume.svg"])
             for file in ("volume.csv", "volume.json", "volume.svg"):
                 self.assertEqual((every / name / file).read_bytes(), (alone / file).read_bytes(), file)
 
