@@ -116,6 +116,7 @@ void bind_facts(JointClass& joint) {
             const py::gil_scoped_release released;
             return self.cartilage_of_scan();
           },
+          "cartilage_of_scan(self)\n--\n\n"
           "The smallest gap as scanned, mm, rounded down to 0.01: a cartilage_mm that blocks nothing there, "
           "as `--cartilage scan` takes it.")
       .def(
@@ -127,6 +128,7 @@ void bind_facts(JointClass& joint) {
                                         py::str(", ").attr("join")(questions).cast<std::string>());
           },
           py::arg("question"),
+          "ask(self, question, **request)\n--\n\n"
           "The answer of `impinge QUESTION --json` as a dict: a question by its name, its request as "
           "keywords.")
       .def("__repr__", &described);

@@ -337,11 +337,16 @@ SharedJoint made_again(const py::tuple& state) {
 template <class Given>
 void def_making(JointClass& joint, const char* name, const py::object& axes, const char* text) {
   const auto none = py::none();
+  const std::string doc = name + std::string("(ball, socket, *, side=None, axes=") +
+                          py::repr(axes).cast<std::string>() +
+                          ", centre=None, landmarks=None, keep='all', overlap_mm=0.0, ball_part=None, "
+                          "socket_part=None, cartilage_map=None, ignore_rest_contact=False)\n--\n\n" +
+                          text;
   joint.def_static(name, &joint_of_given<Given>, py::arg("ball"), py::arg("socket"), py::kw_only(),
                    py::arg("side") = none, py::arg("axes") = axes, py::arg("centre") = none,
                    py::arg("landmarks") = none, py::arg("keep") = "all", py::arg("overlap_mm") = 0.0,
                    py::arg("ball_part") = none, py::arg("socket_part") = none,
-                   py::arg("cartilage_map") = none, py::arg("ignore_rest_contact") = false, text);
+                   py::arg("cartilage_map") = none, py::arg("ignore_rest_contact") = false, doc.c_str());
 }
 
 }  // namespace
@@ -359,7 +364,9 @@ void bind_making(JointClass& joint) {
                          "The same of two pairs of vertices (n, 3) in mm and faces (m, 3).");
   joint
       .def_static("from_hip", &joint_of_hip, py::arg("preset") = "normal", py::kw_only(),
-                  py::arg("faces") = kHipFaces, "A hip made from parameters, each a keyword.")
+                  py::arg("faces") = kHipFaces,
+                  "from_hip(preset='normal', *, faces=12000, **parameters)\n--\n\n"
+                  "A hip made from parameters, each a keyword.")
       .def(py::pickle([](const PoseJoint& made) { return made.made_of; }, &made_again));
 }
 

@@ -71,8 +71,6 @@ template <Described Request, Described Answer>
 void bind_question(JointClass& joint, const char* name, std::string_view text,
                    void (*more)(PoseJoint&, const Answer&, py::dict&) = nullptr,
                    Answer (*ask)(PoseJoint&, const Request&) = &ask_once<Request>) {
-  py::options options;
-  options.disable_function_signatures();  // there is a better one
   if (!py::hasattr(joint, "_questions")) joint.attr("_questions") = py::dict();
   joint.attr("_questions")[name[0] == '_' ? name + 1 : name] = name;
   joint.def(

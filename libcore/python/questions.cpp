@@ -236,8 +236,6 @@ void bind_questions(JointClass& joint) {
       "the pose; `text` is the "
       "certificate, which experiments/check_certificate.py checks.",
       &add_text);
-  py::options options;
-  options.disable_function_signatures();
   joint.attr("_questions")["report"] = "report";
   joint.def("report", &report,
             (signature_of<ReportRequest>("report", "self, out") +

@@ -161,10 +161,16 @@ def test_ask_takes_questions_alone(hip):
 
 def test_signatures_have_the_keywords_of_the_stubs(hip):
     tree = ast.parse((ROOT / "libcore/python/impinge/__init__.pyi").read_text(encoding="utf-8"))
-    joint = next(node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == "Joint")
-    stubs = {part.name: [word.arg for word in part.args.args] for part in joint.body if isinstance(part, ast.FunctionDef)}
-    for question in ("limits", "volume", "resect", "orient", "measure", "certify", "report"):
-        assert list(inspect.signature(getattr(impinge.Joint, question)).parameters) == stubs[question], question
-        assert list(inspect.signature(getattr(hip, question)).parameters) == stubs[question][1:], question
+    held = {node.name: node.body for node in tree.body if isinstance(node, ast.ClassDef)} | {"": tree.body}
+    for name in ("", "Joint", "Scheme"):
+        owner = getattr(impinge, name) if name else impinge
+        for part in (part for part in held[name] if isinstance(part, ast.FunctionDef) and part.name[0] != "_"):
+            if isinstance(getattr(owner, part.name), property):
+                continue
+            found, arguments = inspect.signature(getattr(owner, part.name)), part.args
+            assert list(found.parameters) == [one.arg for one in (*arguments.args, *arguments.kwonlyargs, arguments.kwarg) if one], part.name
+            for word, default in zip(arguments.kwonlyargs, arguments.kw_defaults):
+                assert found.parameters[word.arg].default == ast.literal_eval(default), (part.name, word.arg)
+    assert list(inspect.signature(hip.gaps).parameters) == ["poses", "precision_deg", "out"]
     assert inspect.signature(hip.volume).parameters["gap_mm"].default == 0
     assert hip.limits.__doc__.startswith("How far each motion goes")
