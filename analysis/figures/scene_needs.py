@@ -1,64 +1,73 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      scene-needs
-# @question  What does a scene save by leaving out what it does not need?
-# @data      scene_needs_totals
-"""What a scene saves by leaving out what it does not need: memory and time of whole tables beside what the answer needs."""
+# @question  What does one question need, beside answering all of them and beside a library that answers the same?
+"""Processor time, memory and faces of each question asked alone, beside everything at once and beside other libraries."""
 
 import matplotlib.pyplot as plt
-import numpy as np
 import pandas as pd
 
 import common
+from common import limit_time, scene_needs
 
-QUESTIONS = {
-    "all gaps": "all gaps, one pose",
-    "smallest gap": "smallest gap, one pose",
-    "touch in a motion": "touch, 19 poses",
-    "gaps in a motion": "all gaps to 0.05 mm, 181 poses",
-}
-LOOKS = {
-    "tables": ("whole tables and all look-ups", common.COLOURS[4], "D", -0.11),
-    "needed": ("only what the answer needs", common.COLOURS[0], "o", 0.11),
-}
+PANELS = {"cpu_ms": "processor time, ms", "peak_MB": "peak memory, MB", "faces_looked_at": "faces looked at one by one"}
+EVERYTHING = {"color": common.THESIS_GREY, "linestyle": "-", "linewidth": 3}
 
 
 def main(options) -> common.Figure:
-    totals = common.load(options.results, "scene_needs_totals")
-    totals["question"] = totals.scene.str.split(" ", n=1).str[1]
-    figure, (left, right) = plt.subplots(1, 2, figsize=(common.WIDTH, 2.8), sharey=True)
-    draw_totals(left, totals, "bytes", 1e6, "memory, MB")
-    draw_totals(right, totals, "us", 1e3, "time, ms")
-    left.set_title("Memory: one dot per joint; line: median", fontsize=10)
-    right.set_title("Time of the same answer", fontsize=10)
-    figure.tight_layout()
-    figure.legend(*right.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=2)
+    table = scene_needs.load(options.results)
+    joints = list(dict.fromkeys(table.joint))
+    joints = joints[:1] + joints[1:][-1:]  # the generated one, and the largest
+    ways = table[~table.way.isin(["needed", "everything"])]
+    looks = common.look(["impinge", *dict.fromkeys(ways.label)])
+    figure, grid = plt.subplots(
+        len(joints), len(PANELS), figsize=(common.WIDTH, 3.2 * len(joints)), sharey=True, sharex="col", squeeze=False
+    )
+    for line, joint in zip(grid, joints):
+        for axes, (column, words) in zip(line, PANELS.items()):
+            draw(axes, table[table.joint == joint], column, looks)
+            axes.tick_params(labelbottom=True)
+            axes.set_xlabel(words)
+    keys = [common.key("impinge, this question alone", color=looks["impinge"]["color"], marker="o", linestyle="")]
+    keys.append(common.key("impinge, everything at once", **EVERYTHING))
+    keys += [common.key(label, **{**looks[label], "linestyle": ""}) for label in dict.fromkeys(ways.label)]
+    keys.append(common.key("hollow: scaled from fewer poses", color="black", marker="o", linestyle="", fillstyle="none"))
+    figure.legend(handles=keys, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=4)
+    figure.tight_layout(h_pad=2.5)
+    for line, joint in zip(grid, joints):
+        rows = table[table.joint == joint]
+        less = 1 / rows[rows.way == "needed"].of_all
+        words = f"{limit_time.title(rows)}. One question takes 1/{less.max():.0f} to 1/{less.min():.0f} of the time of all."
+        common.note(line[0], words, (0, 1), (-140, 10), xycoords="axes fraction", fontsize=11, fontweight="bold")
     return figure
 
 
-def draw_totals(axes: plt.Axes, totals: pd.DataFrame, unit: str, scale: float, label: str) -> None:
-    """Whole tables and what is needed, of each question."""
-    for row, question in enumerate(QUESTIONS):
-        rows = totals[totals.question == question]
-        for name, (text, colour, marker, shift) in LOOKS.items():
-            values = rows[f"{name}_{unit}"] / scale
-            common.marks(
-                axes,
-                values,
-                np.full(len(values), row + shift),
-                marker=marker,
-                markersize=5,
-                color=colour,
-                markerfacecolor=colour if name == "needed" else "white",
-                label=text if row == 0 else None,
+def draw(axes: plt.Axes, rows: pd.DataFrame, column: str, looks: dict) -> None:
+    """A question a line; what all of them take is a line down the panel."""
+    everything = rows.loc[rows.question == "everything", column].iloc[0]
+    axes.axvline(everything, zorder=1, **EVERYTHING)
+    for line, question in enumerate(scene_needs.QUESTIONS):
+        for row in rows[rows.question == question].itertuples():
+            value = getattr(row, column)
+            if pd.isna(value):
+                continue
+            ours = row.way == "needed"
+            look = looks["impinge" if ours else row.label]
+            face = "white" if row.extrapolated else look["color"]
+            axes.plot(
+                max(value, 1) if column.startswith("faces") else value,
+                line + (0.0 if ours else 0.18),
+                marker=look["marker"],
+                color=look["color"],
+                markerfacecolor=face,
+                markersize=9 if ours else 7,
+                zorder=3,
             )
-            axes.plot([values.median()] * 2, [row + shift - 0.1, row + shift + 0.1], color=colour, linewidth=2)
-        less = (rows[f"tables_{unit}"] / rows[f"needed_{unit}"]).agg(["min", "max"]).map(lambda x: common.digits(x, 2))
-        words = f"1/{less['min']}" + ("" if less["min"] == less["max"] else f" to 1/{less['max']}")
-        axes.annotate(words, (0.985, row - 0.38), xycoords=("axes fraction", "data"), ha="right", va="center", fontsize=common.SMALL)
-    axes.set(xscale="log", xlabel=label)
-    axes.set_xlim(right=8 * axes.get_xlim()[1])  # room for the words, right of all marks
-    axes.set_yticks(range(len(QUESTIONS)), QUESTIONS.values())
-    axes.set_ylim(len(QUESTIONS) - 0.4, -0.6)
+            if column.startswith("faces"):
+                words = f"{value / everything:.1%}" if value else "none"
+                common.note(axes, words, (max(value, 1), line), (0, 7), ha="center")
+    axes.set(xscale="log")
+    axes.set_yticks(range(len(scene_needs.QUESTIONS)), scene_needs.QUESTIONS.values())
+    axes.set_ylim(len(scene_needs.QUESTIONS) - 0.5, -0.6)
     axes.xaxis.set_major_formatter(lambda value, _: f"{value:,g}")
 
 

@@ -23,10 +23,10 @@ import pandas as pd
 import common
 from common import log_plot, strain, tally, timing
 from findings import finding
-from paper import baselines, cells, error_against_time, limits, studies, volume
+from paper import baselines, cells, error_against_time, limits, needs, studies, volume
 from verdicts import verdict
 
-MODULES = (cells, studies, error_against_time, strain, baselines, limits, volume)
+MODULES = (cells, studies, error_against_time, strain, baselines, limits, needs, volume)
 MACHINE = ["cpu", "cores", "compiler", "flags", "profile", "commit"]
 
 

@@ -1,30 +1,31 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# @name      scene-needs-totals
-# @question  Memory and time of every scene with whole tables, and with what it needs.
-# @data      scene_needs_totals
-"""Memory and time of every scene with whole tables, and with what it needs."""
+# @name      needs-by-question
+# @question  Time, memory and what is looked at, of each question asked alone, of everything, and of other libraries.
+"""What each question needs, beside everything at once and what other libraries need for the same."""
 
 import common
+from common import scene_needs
+
+COLUMNS = ["joint", "faces", "vertices", "question", "way", "cpu_ms", "cpu_iqr_ms", "times_needed", "of_all", "peak_MB", "touched_MB",
+           "faces_looked_at", "vertices_looked_at", "differs", "extrapolated"]  # fmt: skip
 
 
 def main(options) -> common.Table:
-    totals = common.load(options.results, "scene_needs_totals")
-    rows = totals[["scene"]].copy()
-    for name in ("tables", "needed"):
-        rows[f"{name}_MB"] = totals[f"{name}_bytes"] / 1e6
-        rows[f"{name}_ms"] = totals[f"{name}_us"] / 1e3
-    for name, unit in (("bytes_ratio", "bytes"), ("time_ratio", "us")):
-        rows[name] = totals[f"tables_{unit}"] / totals[f"needed_{unit}"]
+    table = scene_needs.load(options.results)
+    lines = []
+    for row in table[table.joint == table.joint.iloc[0]].itertuples():
+        cells = [row.cpu_ms, row.times_needed, row.peak_MB, row.touched_MB, row.faces_looked_at, row.vertices_looked_at]
+        lines.append([common.tex(row.question), common.tex(row.label + ("*" if row.extrapolated else "")), *map(cell, cells)])
     head = [
-        r" & \multicolumn{2}{c}{whole tables} & \multicolumn{2}{c}{needed} & \multicolumn{2}{c}{times less} \\",
-        r"scene & MB & ms & MB & ms & memory & time \\",
+        r" & & time, & times this & peak, & touched, & \multicolumn{2}{c}{looked at} \\",
+        r"question & by & ms & alone & MB & MB & faces & vertices \\",
     ]
-    lines = [
-        [common.tex(scene), *map(common.digits, cells), *(common.digits(ratio, 2) for ratio in ratios)]
-        for scene, *cells, in_bytes, in_time in rows.itertuples(index=False)
-        for ratios in [(in_bytes, in_time)]
-    ]
-    return rows, common.tabular("lrrrrrr", head, lines)
+    return table[COLUMNS], common.tabular("@{}llrrrrrr@{}", head, common.ruled(lines))
+
+
+def cell(value: float) -> str:
+    """A dash where nothing was counted."""
+    return common.digits(value) or "---"
 
 
 common.run(main)

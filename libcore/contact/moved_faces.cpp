@@ -313,7 +313,8 @@ bool FixedFaces::meet(const Triangle& triangle) const {
   return false;
 }
 
-bool surfaces_meet(const MovedFaces& moved, const FixedFaces& fixed, const Pose& pose) {
+bool surfaces_meet(const MovedFaces& moved, const FixedFaces& fixed, const Pose& pose,
+                   std::size_t* looked_at) {
   const FaceRuns& runs = moved.runs();
   if (runs.faces.empty() || !fixed.cells() || !fixed.radii()) return false;
   const FloatPose floats = in_floats(pose, *fixed.cells());
@@ -334,6 +335,7 @@ bool surfaces_meet(const MovedFaces& moved, const FixedFaces& fixed, const Pose&
       }
       Triangle face = corners(runs, runs.faces[run]);
       for (Vec3& x : face) x = to_socket(pose, x);
+      if (looked_at != nullptr) ++*looked_at;
       if (fixed.meet(face)) return true;
     }
   }

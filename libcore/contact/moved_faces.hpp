@@ -70,7 +70,9 @@ class FixedFaces {
 };
 
 /// Have the two a common point in this pose? May be called from several threads at once. Coordinates are up
-/// to 1e15 mm and as plane_side() wants them, and the rotation is orthogonal to 1e-7.
-bool surfaces_meet(const MovedFaces& moved, const FixedFaces& fixed, const Pose& pose);
+/// to 1e15 mm and as plane_side() wants them, and the rotation is orthogonal to 1e-7. Adds to `looked_at` the
+/// moved faces that are tested one by one.
+bool surfaces_meet(const MovedFaces& moved, const FixedFaces& fixed, const Pose& pose,
+                   std::size_t* looked_at = nullptr);
 
 }  // namespace impinge

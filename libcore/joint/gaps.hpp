@@ -236,7 +236,9 @@ struct GapsAnswer {
       Field{"contact", "", "of all bones, decided exactly; null if not asked for", &GapsAnswer::contact},
       Field{"smallest_gap", "", "of a vertex of the main surfaces; null where they do not face each other",
             &GapsAnswer::smallest_gap},
-      Field{"nearest_part", "", "the bones nearest to each other of which one is a part; null without parts",
+      Field{"nearest_part", "",
+            "the bones nearest to each other of which one is a part; null without parts, distances and "
+            "verdicts",
             &GapsAnswer::nearest_part},
       Field{"radial_overlap", "",
             "of the main surfaces along rays, which is no contact by itself; null if not asked for",

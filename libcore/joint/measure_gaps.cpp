@@ -188,7 +188,8 @@ GapsAnswer measure_with_parts(Session& session, const GapsRequest& asked) {
       if (!values->empty()) values->resize(joint.mesh(of).vertices.size(), kNoSurface);
     }
   }
-  result.nearest_part = nearest_part(joint, result.pose);
+  if (asked.asks(Output::distances) || asked.asks(Output::verdicts))
+    result.nearest_part = nearest_part(joint, result.pose);
   return result;
 }
 

@@ -3,7 +3,7 @@
 //
 //   asked                                     answered by              vertices  entries
 //   one pose: do the surfaces touch           exact signs (overlay)    none      none
-//   one pose: gaps, to an accuracy too        answer_on_faces()        needed    none
+//   one pose: gaps, the smallest gap          answer_on_faces()        needed    none
 //   gaps of a table, not their bounds         answer_by_table()        needed    needed
 //   gaps of a table and their bounds          tables of a session      all       all
 //   many poses: touch, smallest gap           caps of faces (contact)  few       none

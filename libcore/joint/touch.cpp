@@ -6,6 +6,8 @@
 
 #include "files/formatted.hpp"
 #include "gap/measured_gap.hpp"
+#include "joint/needed_work.hpp"
+#include "sphere/radial_table.hpp"
 
 namespace impinge {
 namespace {
@@ -27,6 +29,21 @@ std::string place_of(const SmallestOfPose& gap) {
 
 void warn(const std::string& line, SessionJoint& joint) {
   if (!line.empty()) joint.joint.warnings.push_back(line);
+}
+
+// `faces` are those that the vertex meets.
+SmallestOfPose told_gap(const SessionJoint& joint, const LeastGap& least, const Vec3& vertex,
+                        const NearFaces& faces, const Pose& pose) {
+  const Surface scanned = least.at.scanned;
+  const CertifiedGap ends = measured_gap(scanned, faces, to_other(scanned, pose, vertex));
+  const Vec3 place = scanned == Surface::ball ? to_socket(pose, vertex) : vertex;
+  return {.gap_mm = least.gap_mm,
+          .error_bound_mm = std::max(ends.high - least.gap_mm, least.gap_mm - ends.low),
+          .euclidean_distance_mm = {},
+          .surface = scanned,
+          .vertex = least.at.vertex,
+          .position = place + joint.joint.centre,
+          .hours = joint.hours(place)};
 }
 
 }  // namespace
@@ -53,16 +70,26 @@ std::optional<SmallestOfPose> smallest_gap(const SessionJoint& joint, const Cull
   const std::optional<LeastGap> least = culled.least_gap(pose);
   if (!least) return std::nullopt;
   const Surface scanned = least->at.scanned;
-  const Vec3& x = mesh_of(meshes, scanned).vertices[least->at.vertex];
-  const CertifiedGap ends = measured_gap(scanned, culled.faces(other(scanned)), to_other(scanned, pose, x));
-  const Vec3 place = scanned == Surface::ball ? to_socket(pose, x) : x;
-  return SmallestOfPose{.gap_mm = least->gap_mm,
-                        .error_bound_mm = std::max(ends.high - least->gap_mm, least->gap_mm - ends.low),
-                        .euclidean_distance_mm = {},
-                        .surface = scanned,
-                        .vertex = least->at.vertex,
-                        .position = place + joint.joint.centre,
-                        .hours = joint.hours(place)};
+  return told_gap(joint, *least, mesh_of(meshes, scanned).vertices[least->at.vertex],
+                  culled.faces(other(scanned)), pose);
+}
+
+std::optional<SmallestOfPose> smallest_gap(SessionJoint& joint, const Pose& pose) {
+  const NearFaces& ball = joint.faces(Surface::ball);
+  const NearFaces& socket = joint.faces(Surface::socket);
+  const FacesMet met{&socket, &ball};
+  const auto gap = [&](Surface of, std::size_t /*vertex*/, const Vec3& x) {
+    if (x.isZero(0.0)) return kNoSurface;
+    const Surface facing = other(of);
+    return signed_gap(of, joint.faces(facing).radius(x.normalized(), facing_layer(facing)), x.norm());
+  };
+  const SceneAnswer found = answer_on_faces({ball.mesh(), socket.mesh()},
+                                            {.question = Question::first_contact, .poses = {pose}}, met, gap);
+  if (!found.smallest) return std::nullopt;
+  const auto& [gap_mm, scanned, only, vertex] = *found.smallest;
+  const bool of_ball = scanned == Surface::ball;
+  return told_gap(joint, {gap_mm, {scanned, vertex}}, (of_ball ? ball : socket).mesh().vertices[vertex],
+                  of_ball ? socket : ball, pose);
 }
 
 Pose pose_of(const SessionJoint& joint, const Motion& motion, const Vec3& translation) {
@@ -116,9 +143,8 @@ std::string describe(const std::optional<NearestPartDocument>& part) {
 }
 
 TouchAnswer touch_in(SessionJoint& joint, const Pose& pose) {
-  const BallSocketPair meshes{joint.main(Surface::ball), joint.main(Surface::socket)};
   return {.contact = contact_of(joint.joint, joint.bodies().verdict(pose)),
-          .smallest_gap = smallest_gap(joint, CulledJoint(meshes), meshes, pose),
+          .smallest_gap = smallest_gap(joint, pose),
           .nearest_part = {}};
 }
 

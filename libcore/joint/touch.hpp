@@ -105,8 +105,10 @@ Pose pose_of(const SessionJoint& joint, const Motion& motion, const Vec3& transl
 /// A verdict with the names of the joint's parts.
 ContactDocument contact_of(const Joint& joint, const BodyPairs::Verdict& verdict);
 std::optional<NearestPartDocument> nearest_part(SessionJoint& joint, const Pose& pose);
-/// Found without looking at most vertices and faces; none where the surfaces do not face each other. `culled`
-/// is of these meshes.
+/// None where the surfaces do not face each other. Of one pose, measured on the faces of the vertices that
+/// can have it (joint/needed_work.hpp).
+std::optional<SmallestOfPose> smallest_gap(SessionJoint& joint, const Pose& pose);
+/// The same of one of many poses, without looking at most vertices. `culled` is of these meshes.
 std::optional<SmallestOfPose> smallest_gap(const SessionJoint& joint, const CulledJoint& culled,
                                            const BallSocketPair& meshes, const Pose& pose);
 

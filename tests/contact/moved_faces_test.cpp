@@ -178,6 +178,19 @@ TEST(MovedFaces, HeadInAShell) {
   seen.expect_both(5);
 }
 
+TEST(MovedFaces, FewAreLookedAt) {
+  const TriangleMesh head = icosphere(20.0, 4);
+  const MovedFaces moved(head);
+  std::size_t apart = 0;
+  std::size_t touching = 0;
+  EXPECT_FALSE(surfaces_meet(moved, FixedFaces(icosphere(21.0, 4)), {}, &apart));
+  EXPECT_EQ(apart, 0);
+  const Pose shifted{Eigen::Matrix3d::Identity(), Vec3(1.0, 0.0, 0.0)};
+  EXPECT_TRUE(surfaces_meet(moved, FixedFaces(icosphere(20.9, 4)), shifted, &touching));
+  EXPECT_GT(touching, 0);
+  EXPECT_LT(touching, head.faces.size() / 20);
+}
+
 // Calls visit(x) for points of the faces, corners among them.
 template <class Visit>
 void for_points_of(const FaceRuns& surface, Dice& dice, const Visit& visit) {

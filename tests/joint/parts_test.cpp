@@ -166,6 +166,8 @@ TEST(Parts, LeaveGapsAsTheyAre) {
     EXPECT_FALSE(found.nearest_part.value().touch);
     EXPECT_GT(found.nearest_part->distance_mm, 0.0);
     EXPECT_LE(found.nearest_part->distance_mm, least + 1e-9);
+    asked.outputs = {Output::gaps};
+    EXPECT_FALSE(answer(session, asked).nearest_part) << "nobody asked";
     const TouchRequest touch{.pose = asked.pose};
     EXPECT_EQ(answer(session, touch).smallest_gap.value().gap_mm,
               answer(alone, touch).smallest_gap.value().gap_mm);

@@ -154,7 +154,7 @@ class LeftOut(TypedDict):
 class GapsAnswer(TypedDict):
     contact: Contact | None  # of all bones, decided exactly; null if not asked for
     smallest_gap: SmallestGap | None  # of a vertex of the main surfaces; null where they do not face each other
-    nearest_part: NearestPart | None  # the bones nearest to each other of which one is a part; null without parts
+    nearest_part: NearestPart | None  # the bones nearest to each other of which one is a part; null without parts, distances and verdicts
     radial_overlap: RadialOverlap | None  # of the main surfaces along rays, which is no contact by itself; null if not asked for
     impingement: list[Impingement]  # bone on bone, and cartilage on cartilage
     gap_histogram: GapHistogram  # area by gap
