@@ -16,10 +16,10 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 
 
-def bundle() -> str:
-    """The page's own modules and what they use of three.js, as one script."""
+def bundle(first: str) -> str:
+    """The page's own modules from this one on, and what they use of three.js, as one script."""
     form = ["--bundle", "--minify", "--format=iife", "--target=es2020", "--charset=utf8", "--legal-comments=inline"]
-    command = ["esbuild", "src/main.js", *form, "--log-level=warning"]
+    command = ["esbuild", first, *form, "--log-level=warning"]
     done = subprocess.run(command, cwd=HERE, check=True, stdout=subprocess.PIPE)
     return done.stdout.decode()
 
@@ -66,10 +66,10 @@ def main() -> None:
     parser.add_argument("--engine", type=Path, required=True, help="the library, compiled by emscripten into one script")
     parser.add_argument("--out", type=Path, required=True, help="the page")
     options = parser.parse_args()
-    script = embedded(bundle())
+    script = embedded(bundle("src/main.js"))
     engine = embedded(options.engine.read_text() + "\n" + (HERE / "src" / "worker.js").read_text())
     page = (HERE / "index.html").read_text()
-    parts = {"@CSP@": policy(script), "@STYLE@": (HERE / "style.css").read_text(), "@ENGINE@": engine, "@SCRIPT@": script}
+    parts = {"@CSP@": policy(script), "@STYLE@": (HERE / "style.css").read_text(), "@ENGINE@": engine, "@VIEWER@": embedded(bundle("report/viewer.js")), "@SCRIPT@": script}
     page = page.replace("@VERSION@", version()).replace("@COMMIT@", commit())
     for mark, text in parts.items():
         page = page.replace(mark, text, 1)

@@ -13,6 +13,7 @@
 #include "command/slicer_module.hpp"
 #include "files/one_line.hpp"
 #include "joint/joint_folder.hpp"
+#include "joint/rest_contact.hpp"
 
 namespace impinge {
 namespace {
@@ -52,19 +53,6 @@ Json document_schema(const QuestionCommand& question) {
   return schema;
 }
 
-Json document_of(const QuestionCommand& question, Json joint, const Told& told, Json times_ms) {
-  return {{"program", "impinge"},
-          {"version", kVersion},
-          {"commit", commit()},
-          {"command", question.name},
-          {"schema", "impinge " + question.name + " --schema"},
-          {"joint", std::move(joint)},
-          {"request", question.request()},
-          {"answer", told.document},
-          {"times_ms", std::move(times_ms)},
-          {"files", Json::array()}};
-}
-
 struct Answered {
   Told told;
   Json document;
@@ -79,7 +67,7 @@ Answered ask(const JointCommand& command, const JointOptions& options, const Wor
   Session session = load_joint(options, question.scan_contact());
   std::string said = describe_joint(options, session.joint->joint);
   if (options.cartilage_of_scan) {
-    const double thickness = cartilage_of_scan(*session.joint);
+    const double thickness = cartilage_of_scan(*session.joint, "--cartilage scan");
     question.use_cartilage(thickness);
     said += formatted("cartilage           %g mm, the smallest gap as scanned\n", thickness);
   }
@@ -89,8 +77,9 @@ Answered ask(const JointCommand& command, const JointOptions& options, const Wor
   for (const std::string& warning : joint.warnings)
     screen.log << "impinge: warning: " << one_line(warning) << std::endl;
   Answered answered{.told = question.ask(session, work), .document = {}};
-  answered.document = document_of(question, json_of(describe(*session.joint, names_of(options))),
-                                  answered.told, {{"read", read_ms}, {"answer", watch.lap_ms()}});
+  answered.document =
+      document_of(question.name, json_of(describe(*session.joint, names_of(options))), question.request(),
+                  answered.told.document, {{"read", read_ms}, {"answer", watch.lap_ms()}});
   return answered;
 }
 

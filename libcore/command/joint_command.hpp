@@ -33,11 +33,6 @@ struct Refused : std::exception {
   int code;
 };
 
-extern const char* const kVersion;  // of the project
-/// Of the sources that it was built from, as git abbreviates it, with "-dirty" where files had changed;
-/// "unknown" outside of git.
-const char* commit();
-
 /// Adds each question (command/question_command.hpp) as a command. The one that is given sets `work` to what
 /// it will do.
 void add_joint_commands(CLI::App& program, const Screen& screen, std::function<void()>& work);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command/joint_options.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <string_view>
@@ -16,6 +14,7 @@
 #include "joint/cartilage_file.hpp"
 #include "joint/joint_folder.hpp"
 #include "joint/landmark_file.hpp"
+#include "joint/rest_contact.hpp"
 #include "mesh/declared_axes.hpp"
 #include "mesh/io.hpp"
 #include "mesh/mesh_parts.hpp"
@@ -25,9 +24,6 @@ namespace impinge {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kOverlapStep = 0.1;  // mm
-constexpr double kMostOverlap = 5.0;  // mm; deeper, it is not the bones that rest on each other
 
 // A number is one thickness, anything else a file.
 void set_cartilage(const std::string& text, JointOptions& options) {
@@ -176,40 +172,19 @@ Session load_joint(const JointOptions& options, const ScanContactOptions& told) 
   input.centre = options.centre;
   input.side = options.side;
   input.axes = agreed_axes(options.ball, options.socket, options.axes, "--axes").code;
-  input.overlap_mm = options.overlap_mm;
   input.wording.meshes = "BALL and SOCKET";
-  const auto made = [&] {
+  const auto made = [&](double overlap_mm) {
+    input.overlap_mm = overlap_mm;
     Joint joint = assemble_joint(input);
     if (options.cartilage_map) joint.cartilage = read_cartilage(*options.cartilage_map, joint.centre);
     if (options.landmarks) use_landmarks(*options.landmarks, options.side, joint);
     joint.warnings.insert(joint.warnings.end(), said.begin(), said.end());
-    const std::string axes = joint.axes;
-    return Session(std::move(joint), options.side, axes);
+    return Session(std::move(joint), options.side, input.axes);
   };
-  Session session = made();
-  while (options.ignore_rest_contact) {
-    const TouchAnswer rest = touch_in(*session.joint, scanned_pose(*session.joint));
-    if (rest.contact.state != Contact::yes) break;
-    const double depth = rest.smallest_gap ? std::max(0.0, -rest.smallest_gap->gap_mm) : 0.0;
-    input.overlap_mm += kOverlapStep * std::max(1.0, std::floor(depth / kOverlapStep));
-    if (input.overlap_mm > kMostOverlap)
-      throw std::runtime_error(
-          formatted("--ignore-rest-contact: the bones touch as scanned even where they may overlap by %g mm; "
-                    "check the centre, the frame and the segmentation of both",
-                    kMostOverlap));
-    session = made();
-  }
+  Session session = options.ignore_rest_contact ? without_rest_contact(made, "--ignore-rest-contact")
+                                                : made(options.overlap_mm);
   warn_of_contact(*session.joint, told);
   return session;
-}
-
-double cartilage_of_scan(SessionJoint& joint) {
-  const auto gap = touch_in(joint, scanned_pose(joint)).smallest_gap;
-  const double thickness = gap ? std::floor(100.0 * gap->gap_mm) / 100.0 : 0.0;
-  if (!(thickness > 0.0))
-    throw std::runtime_error(
-        "--cartilage scan: the bones as scanned leave no gap for it; give a thickness in mm");
-  return thickness;
 }
 
 std::string describe_joint(const JointOptions& options, const Joint& joint) {

@@ -33,7 +33,7 @@ struct JointOptions {
       cartilage_map{};                            // instead of one thickness (joint/cartilage_file.hpp)
   std::optional<std::filesystem::path> config{};  // that says more of these
   std::optional<double> cartilage_mm{};           // both layers together; the request has its own otherwise
-  bool cartilage_of_scan = false;                 // instead: cartilage_of_scan()
+  bool cartilage_of_scan = false;                 // instead (joint/rest_contact.hpp)
 };
 
 /// Adds them to a command, --config among them: what a file says counts where the command line says nothing.
@@ -49,10 +49,6 @@ JointNames names_of(const JointOptions& options);
 /// Reads the meshes and examines them. What looks wrong becomes a warning of the joint; `told` says which
 /// contact as scanned is worth one. FileError or std::runtime_error, one line, for what cannot be used.
 Session load_joint(const JointOptions& options, const ScanContactOptions& told);
-
-/// The thickness that the scan leaves for cartilage: its smallest gap, mm, rounded down to 0.01.
-/// std::runtime_error where there is none.
-double cartilage_of_scan(SessionJoint& joint);
 
 /// What was taken of whole bones, and what landmarks and headers said, as lines for a terminal; often none.
 std::string describe_joint(const JointOptions& options, const Joint& joint);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/orient.hpp"
 
-#include "command/orient_picture.hpp"
 #include "command/question_command.hpp"
 #include "files/formatted.hpp"
+#include "report/orient_picture.hpp"
 
 namespace impinge {
 namespace {

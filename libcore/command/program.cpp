@@ -11,6 +11,7 @@
 #include "command/request_options.hpp"
 #include "files/one_line.hpp"
 #include "joint/document.hpp"
+#include "report/answer_document.hpp"
 
 namespace impinge {
 namespace {

@@ -23,6 +23,7 @@
 #include "joint/session.hpp"
 #include "joint/touch.hpp"
 #include "mesh/mesh_format.hpp"
+#include "report/answer_document.hpp"
 
 namespace impinge {
 
@@ -43,12 +44,6 @@ struct Work {
   std::filesystem::path output(const std::string& name) const;
   /// The name of a mesh's file.
   std::string mesh_file(const std::string& stem) const;
-};
-
-/// A file of an answer.
-struct AnswerFile {
-  std::string name;
-  std::string bytes;
 };
 
 /// A column of joints.csv, and the place of its value in the document (a JSON pointer).

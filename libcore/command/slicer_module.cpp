@@ -11,6 +11,7 @@
 
 #include "command/joint_command.hpp"
 #include "files/finite_number.hpp"
+#include "report/answer_document.hpp"
 
 namespace impinge {
 namespace {

@@ -12,11 +12,11 @@
 
 #include "command/answer_key.hpp"
 #include "command/question_command.hpp"
-#include "command/volume_picture.hpp"
 #include "files/file_bytes.hpp"
 #include "files/formatted.hpp"
 #include "files/rows.hpp"
 #include "files/temporary_file.hpp"
+#include "report/volume_picture.hpp"
 
 namespace impinge {
 namespace {

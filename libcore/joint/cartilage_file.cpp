@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -37,6 +38,17 @@ std::optional<Row> parse_row(std::string_view line) {
 
 }  // namespace
 
+void add_cartilage(const std::array<double, 4>& point, const Vec3& centre, CartilageMap& map) {
+  const auto [x, y, z, thickness] = point;
+  const Vec3 arm = Vec3(x, y, z) - centre;
+  if (!arm.allFinite() || !std::isfinite(thickness)) throw std::invalid_argument("is not four numbers");
+  if (thickness < 0.0) throw std::invalid_argument("has a negative thickness");
+  if (!(arm.norm() > 0.0))
+    throw std::invalid_argument("is a point at the centre of rotation, which has no direction");
+  map.directions.push_back(arm.normalized());
+  map.thickness.push_back(thickness);
+}
+
 CartilageMap read_cartilage(const std::filesystem::path& file, const Vec3& centre) {
   const std::string bytes = read_bytes(file);
   CartilageMap map;
@@ -54,12 +66,11 @@ CartilageMap read_cartilage(const std::filesystem::path& file, const Vec3& centr
     }
     const std::optional<Row> row = parse_row(line);
     if (!row) refuse("is not four numbers");
-    const auto [x, y, z, thickness] = *row;
-    if (thickness < 0.0) refuse("has a negative thickness");
-    const Vec3 arm = Vec3(x, y, z) - centre;
-    if (!(arm.norm() > 0.0)) refuse("is a point at the centre of rotation, which has no direction");
-    map.directions.push_back(arm.normalized());
-    map.thickness.push_back(thickness);
+    try {
+      add_cartilage(*row, centre, map);
+    } catch (const std::invalid_argument& error) {
+      refuse(error.what());
+    }
   }
   if (map.directions.empty()) throw FileError(file, "holds no point", kMapAdvice);
   return map;

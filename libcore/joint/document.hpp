@@ -103,6 +103,12 @@ Json schema_of() {
 void read_json(const Json& given, std::string_view name, const Range& range, double& value);
 void read_json(const Json& given, std::string_view name, const Range& range, bool& value);
 void read_json(const Json& given, std::string_view name, const Range& range, std::string& value);
+inline void read_json(const Json& given, std::string_view name, const Range& range,
+                      std::filesystem::path& value) {
+  std::string text;
+  read_json(given, name, range, text);
+  value = text;
+}
 
 template <class T>
 void read_json(const Json& given, std::string_view name, const Range& range, std::optional<T>& value) {

@@ -21,6 +21,16 @@ bool PosesRequest::asks(PosesOutput output) const {
   return std::find(outputs.begin(), outputs.end(), output) != outputs.end();
 }
 
+void add_row(const PoseRow& row, PosesAnswer& all) {
+  ++all.number_of_poses;
+  if (!row.tracked) ++all.untracked;
+  if (all.touching && row.touch() == "yes") ++*all.touching;
+  const auto& gap = row.smallest;
+  if (gap && (!all.smallest_gap || gap->gap_mm < all.smallest_gap->gap_mm))
+    all.smallest_gap = {all.number_of_poses, gap->gap_mm, std::string(name(gap->surface)), gap->vertex,
+                        gap->clock()};
+}
+
 PoseList list_of(const PosesRequest& request, const SessionJoint& joint) {
   if (request.path) {
     PoseList grid = parse_pose_grid(*request.path);

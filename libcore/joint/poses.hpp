@@ -123,6 +123,9 @@ struct PosesAnswer {
       Field{"doubt", "", "what looks wrong with the poses; null if nothing does", &PosesAnswer::doubt}};
 };
 
+/// Counts a row, the next one, in what all rows say together.
+void add_row(const PoseRow& row, PosesAnswer& all);
+
 /// Reads or makes the poses. FileError or std::invalid_argument, one line.
 PoseList list_of(const PosesRequest& request, const SessionJoint& joint);
 

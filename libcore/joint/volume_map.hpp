@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The motion volume as a map over flexion and abduction: how far the femur may be rotated about its axis. The
-// program (command/volume_picture.hpp) and the page draw it.
+// program (report/volume_picture.hpp) and the page draw it.
 #pragma once
 
 #include <optional>

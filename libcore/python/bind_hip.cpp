@@ -37,10 +37,14 @@ void bind_hip(py::module_& module) {
         for (const std::string_view name : hip_preset_names()) names.emplace_back(name);
         return names;
       },
+      "hip_presets()\n--\n\n"
       "Names of the hips that Joint.from_hip() makes.");
   module.def("hip_parameters", &parameters_of, py::arg("preset") = "normal",
+             "hip_parameters(preset='normal')\n--\n\n"
              "The parameters of a preset, by name; mm, degrees and hours.");
-  module.def("hip_parameter_ranges", &ranges, "Unit, least and largest value of each parameter, by name.");
+  module.def("hip_parameter_ranges", &ranges,
+             "hip_parameter_ranges()\n--\n\n"
+             "Unit, least and largest value of each parameter, by name.");
 }
 
 }  // namespace impinge::python

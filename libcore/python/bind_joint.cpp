@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The class Joint, and the surfaces of one.
+#include <algorithm>
+#include <limits>
+
 #include <pybind11/stl.h>
 
 #include "joint/joint_document.hpp"
@@ -41,7 +44,18 @@ void bind_surface(py::module_& module) {
             const auto& areas = view.joint->joint().part(view.of).area;
             return view_of(areas.data(), areas.size(), 1, self);
           },
-          "Shape (n,), mm^2 of the surface that belong to each vertex.");
+          "Shape (n,), mm^2 of the surface that belong to each vertex.")
+      .def_property_readonly(
+          "clock",
+          [](const SurfaceView& view) {
+            const auto& at = view.mesh().vertices;
+            py::array_t<double> hours(static_cast<py::ssize_t>(at.size()));
+            std::transform(at.begin(), at.end(), hours.mutable_data(), [&](const Vec3& x) {
+              return view.joint->joint().hours(x).value_or(std::numeric_limits<double>::quiet_NaN());
+            });
+            return hours;
+          },
+          "Shape (n,), hours of each vertex on the clock of the socket's rim, as scanned; NaN without one.");
 }
 
 std::string described(const PoseJoint& joint) {
@@ -66,11 +80,17 @@ void bind_facts(JointClass& joint) {
       .def_property_readonly(
           "side", [](const PoseJoint& self) { return object_of(json_of(self.joint().side)); },
           "Of the body: left, right, or None.")
-      .def_property_readonly("axes", &PoseJoint::axes, "Where +x, +y and +z of the meshes point, as RAS.")
+      .def_property_readonly(
+          "axes", [](const PoseJoint& self) { return self.joint().joint.axes; },
+          "Where +x, +y and +z of the meshes point, as RAS.")
       .def_property_readonly(
           "landmarks", [](const PoseJoint& self) { return object_of(json_of(self.joint().joint.frames)); },
           "A dict of degrees: pelvic_tilt_deg and the angles of the femur in the scan; None "
           "without landmarks.")
+      .def_property_readonly(
+          "summary",
+          [](const PoseJoint& self) { return object_of(json_of(describe(self.joint(), self.names()))); },
+          "A dict: what documents of the program have as `joint`, its meshes, parts, centre and warnings.")
       .def_property_readonly(
           "warnings", [](const PoseJoint& self) { return self.joint().joint.warnings; },
           "What may be wrong with the meshes: a list of lines.")
@@ -91,6 +111,15 @@ void bind_facts(JointClass& joint) {
           "Radius and root mean square residual of the sphere that fits the ball, mm; None "
           "where the centre was given.")
       .def(
+          "cartilage_of_scan",
+          [](PoseJoint& self) {
+            const py::gil_scoped_release released;
+            return self.cartilage_of_scan();
+          },
+          "cartilage_of_scan(self)\n--\n\n"
+          "The smallest gap as scanned, mm, rounded down to 0.01: a cartilage_mm that blocks nothing there, "
+          "as `--cartilage scan` takes it.")
+      .def(
           "ask",
           [](const py::object& self, const std::string& question, const py::kwargs& request) {
             const py::dict questions = self.attr("_questions");
@@ -99,6 +128,7 @@ void bind_facts(JointClass& joint) {
                                         py::str(", ").attr("join")(questions).cast<std::string>());
           },
           py::arg("question"),
+          "ask(self, question, **request)\n--\n\n"
           "The answer of `impinge QUESTION --json` as a dict: a question by its name, its request as "
           "keywords.")
       .def("__repr__", &described);

@@ -64,7 +64,9 @@ std::string text_of(const AnyScheme& scheme, bool label) {
 }  // namespace
 
 void bind_scheme(py::module_& module) {
-  module.def("schemes", &all_scheme_names, "Names of all sampling schemes.");
+  module.def("schemes", &all_scheme_names,
+             "schemes()\n--\n\n"
+             "Names of all sampling schemes.");
   py::class_<AnyScheme>(module, "Scheme", "A sampling scheme: which directions a table samples.")
       .def(py::init<std::string_view, double>(), py::arg("name"), py::arg("precision_deg") = 1.0)
       .def_property_readonly("name", &AnyScheme::name, "One of schemes().")
@@ -82,9 +84,12 @@ void bind_scheme(py::module_& module) {
       .def_property_readonly(
           "stencil_radius_deg", [](const AnyScheme& s) { return s.stencil_radius() / kDegree; },
           "Every direction is within this angle of the entries that answer it.")
-      .def("directions", &directions_of, "Unit vectors of all entries, shape (size, 3).")
+      .def("directions", &directions_of,
+           "directions(self)\n--\n\n"
+           "Unit vectors of all entries, shape (size, 3).")
       .def(
           "stencils", &stencils_of, py::arg("directions"),
+          "stencils(self, directions)\n--\n\n"
           "Entries (n, 4), their weights (n, 4) and cells (n,) that answer along directions of shape (n, 3); "
           "an entry that is not read is -1, with weight 0.")
       .def("__len__", &AnyScheme::size)

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <concepts>
 #include <filesystem>
-#include <iterator>
+#include <functional>
 #include <limits>
 #include <stdexcept>
+#include <tuple>
 #include <variant>
 
 #include <pybind11/stl.h>
@@ -14,7 +16,9 @@
 
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
+#include "joint/cartilage_file.hpp"
 #include "joint/landmark_file.hpp"
+#include "joint/rest_contact.hpp"
 #include "mesh/declared_axes.hpp"
 #include "mesh/io.hpp"
 #include "mesh/mesh_pieces.hpp"
@@ -48,29 +52,23 @@ Landmarks points_of(const py::dict& given) {
   return points;
 }
 
-// Of "all" and "largest"; says what it left out.
-std::string keep_pieces(const std::string& keep, NamedMesh& of) {
-  if (keep != "all" && keep != "largest")
-    throw std::invalid_argument("keep: '" + keep + "' is no choice of pieces; give all or largest");
-  const std::string left_out = keep == "all" ? "" : keep_largest_piece(of.mesh);
-  return left_out.empty() ? left_out : of.name + ": " + left_out;
-}
-
 // What is known of a joint beside its meshes.
 struct Placed {
   std::optional<std::string> side;
   std::string axes;
   OptionalPoint centre;
   std::optional<Marked> landmarks;
-  std::string keep = "all";
-  double overlap_mm = 0.0;
+  std::optional<double> overlap_mm = 0.0;  // none: the least that leaves no contact as scanned
+  std::vector<std::string> said{};         // of pieces that were left out
+  std::function<CartilageMap(const Vec3& centre)> cartilage{};
 };
 
+JointNames names_of(const JointInput& input) {
+  return {input.ball.name, input.socket.name, input.ball.part_names, input.socket.part_names};
+}
+
 SharedJoint joint_of(JointInput input, const Placed& placed) {
-  if (!(placed.overlap_mm >= 0.0 && placed.overlap_mm < std::numeric_limits<double>::infinity()))
-    throw std::invalid_argument("overlap_mm: is no length; give a number of mm, 0 or more");
   input.axes = placed.axes;
-  input.overlap_mm = placed.overlap_mm;
   if (placed.side) input.side = parse_side(*placed.side);
   if (placed.centre) input.centre = Vec3((*placed.centre)[0], (*placed.centre)[1], (*placed.centre)[2]);
   input.wording = {"with centre=(x, y, z)", "ball and socket",
@@ -78,21 +76,22 @@ SharedJoint joint_of(JointInput input, const Placed& placed) {
   const std::optional<Side> side = input.side;
   const auto* const dict = placed.landmarks ? std::get_if<py::dict>(&*placed.landmarks) : nullptr;
   const Landmarks points = dict != nullptr ? points_of(*dict) : Landmarks{};
-  SharedJoint joint;
-  {
-    const py::gil_scoped_release released;
-    input_to_joint(input.axes);
-    const std::array said{keep_pieces(placed.keep, input.ball), keep_pieces(placed.keep, input.socket)};
-    Joint made = assemble_joint(std::move(input));
-    std::ranges::copy_if(said, std::back_inserter(made.warnings),
-                         [](const std::string& line) { return !line.empty(); });
+  const auto made = [&](double overlap_mm) {
+    input.overlap_mm = overlap_mm;
+    Joint joint = assemble_joint(input);
+    if (placed.cartilage) joint.cartilage = placed.cartilage(joint.centre);
     if (dict != nullptr)
-      use_landmarks(points, "landmarks", side, made);
+      use_landmarks(points, "landmarks", side, joint);
     else if (placed.landmarks)
-      use_landmarks(std::get<std::filesystem::path>(*placed.landmarks), side, made);
-    joint = std::make_shared<PoseJoint>(std::move(made), side, placed.axes);
-  }
-  return joint;
+      use_landmarks(std::get<std::filesystem::path>(*placed.landmarks), side, joint);
+    joint.warnings.insert(joint.warnings.end(), placed.said.begin(), placed.said.end());
+    return Session(std::move(joint), side, placed.axes);
+  };
+  const py::gil_scoped_release released;
+  input_to_joint(input.axes);
+  return std::make_shared<PoseJoint>(
+      placed.overlap_mm ? made(*placed.overlap_mm) : without_rest_contact(made, "ignore_rest_contact"),
+      names_of(input));
 }
 
 // Joints that a user brings may be wrong.
@@ -125,51 +124,144 @@ std::optional<Marked> as_dict(const std::optional<Marked>& given, const std::str
   return points;
 }
 
-// The joint, which remembers what it was made of.
-SharedJoint joint_of_meshes(const JointInput& input, const Placed& placed) {
-  SharedJoint joint = joint_of(input, placed);
-  joint->made_of = py::make_tuple(input.ball.name, arrays_of(input.ball.mesh), input.socket.name,
-                                  arrays_of(input.socket.mesh), placed.side, placed.axes, placed.centre,
-                                  as_dict(placed.landmarks, placed.axes), placed.keep, placed.overlap_mm);
-  return joint;
+py::tuple state_of(const NamedMesh& bone) {
+  py::list parts;
+  for (const MeshPart& part : bone.parts)
+    parts.append(py::make_tuple(part.name, part.first_vertex, part.first_face, part.of_main));
+  return py::make_tuple(bone.name, arrays_of(bone.mesh), parts, bone.part_names);
 }
 
-SharedJoint read_joint(const std::filesystem::path& ball, const std::filesystem::path& socket,
-                       const std::optional<std::string>& side, const std::optional<std::string>& axes,
-                       const OptionalPoint& centre, const std::optional<Marked>& landmarks,
-                       const std::string& keep, double overlap_mm) {
-  JointInput input;
-  std::string code;
-  {
-    const py::gil_scoped_release released;
-    input.ball = {ball.string(), read_mesh(ball)};
-    input.socket = {socket.string(), read_mesh(socket)};
-    code = agreed_axes(ball, socket, axes, "axes=").code;
-  }
-  return with_warnings(joint_of_meshes(input, {side, code, centre, landmarks, keep, overlap_mm}));
+// The joint, which remembers what it was made of.
+SharedJoint joint_of_meshes(const JointInput& input, const Placed& placed) {
+  SharedJoint made = joint_of(input, placed);
+  const Joint& joint = made->joint().joint;
+  py::object cartilage = py::none();
+  if (const auto& map = joint.cartilage)
+    cartilage =
+        py::make_tuple(py::array_t<double>({static_cast<py::ssize_t>(map->directions.size()), py::ssize_t{3}},
+                                           map->directions.front().data()),
+                       map->thickness);
+  made->made_of =
+      py::make_tuple(state_of(input.ball), state_of(input.socket), placed.side, placed.axes, placed.centre,
+                     as_dict(placed.landmarks, placed.axes), joint.overlap_mm, placed.said, cartilage);
+  return made;
 }
 
 using MeshArrays = std::pair<Doubles, Indices>;
+using File = std::filesystem::path;
+using GivenMesh = std::variant<File, MeshArrays>;
 
-NamedMesh mesh_of_arrays(const char* name, const MeshArrays& arrays) {
+TriangleMesh mesh_of_arrays(const std::string& name, const MeshArrays& arrays) {
   const auto& [vertices, faces] = arrays;
   for (const py::array& array : {py::array(vertices), py::array(faces)}) {
     if (array.ndim() != 2 || array.shape(1) != 3)
-      throw std::invalid_argument(std::string(name) +
-                                  ": give vertices and faces as two arrays of three columns");
+      throw std::invalid_argument(name + ": give vertices and faces as two arrays of three columns");
   }
-  return {name, mesh_of(name, {{vertices.data(), static_cast<std::size_t>(vertices.size())},
-                               {faces.data(), static_cast<std::size_t>(faces.size())}})};
+  return mesh_of(name, {{vertices.data(), static_cast<std::size_t>(vertices.size())},
+                        {faces.data(), static_cast<std::size_t>(faces.size())}});
 }
 
-SharedJoint joint_of_arrays(const MeshArrays& ball, const MeshArrays& socket,
-                            const std::optional<std::string>& side, const std::string& axes,
-                            const OptionalPoint& centre, const std::optional<Marked>& landmarks,
-                            const std::string& keep, double overlap_mm) {
+// A mesh as it is given, of "all" its pieces or the "largest"; says what was left out. `name` of arrays.
+TriangleMesh mesh_of_given(const std::string& name, const GivenMesh& given, const std::string& keep,
+                           std::vector<std::string>& said) {
+  if (keep != "all" && keep != "largest")
+    throw std::invalid_argument("keep: '" + keep + "' is no choice of pieces; give all or largest");
+  const auto* const file = std::get_if<File>(&given);
+  const auto read = [&] {
+    const py::gil_scoped_release released;
+    return read_mesh(*file);
+  };
+  TriangleMesh mesh = file != nullptr ? read() : mesh_of_arrays(name, std::get<MeshArrays>(given));
+  const std::string left_out = keep == "all" ? "" : keep_largest_piece(mesh);
+  if (!left_out.empty()) said.push_back((file != nullptr ? file->string() : name) + ": " + left_out);
+  return mesh;
+}
+
+// Bone beside the ball or socket, by the names that answers have: a file's name without its ending, or the
+// key of a dict.
+std::vector<std::pair<std::string, GivenMesh>> parts_of(const char* keyword, const py::object& given) {
+  std::vector<std::pair<std::string, GivenMesh>> parts;
+  const auto add_file = [&parts](const File& file) { parts.emplace_back(file.stem().string(), file); };
+  try {
+    if (given.is_none()) return parts;
+    if (py::isinstance<py::dict>(given)) {
+      for (const auto& [name, mesh] : given.cast<py::dict>())
+        parts.emplace_back(name.cast<std::string>(), mesh.cast<GivenMesh>());
+    } else {
+      const auto files = given.cast<std::variant<File, std::vector<File>>>();
+      if (const auto* const one = std::get_if<File>(&files))
+        add_file(*one);
+      else
+        for (const File& file : std::get<1>(files)) add_file(file);
+    }
+  } catch (const py::cast_error&) {
+    throw std::invalid_argument(std::string(keyword) +
+                                ": is no bone; give a file, a list of files, or a dict of names, each with a "
+                                "file or with (vertices, faces)");
+  }
+  return parts;
+}
+
+NamedMesh bone_of(const std::string& name, const GivenMesh& main, const char* keyword,
+                  const py::object& beside, const std::string& keep, std::vector<std::string>& said) {
+  const auto called = [](const std::string& key, const GivenMesh& given) {
+    const auto* const file = std::get_if<File>(&given);
+    return file != nullptr ? file->string() : key;
+  };
+  NamedMesh bone{called(name, main), mesh_of_given(name, main, keep, said)};
+  for (const auto& [key, given] : parts_of(keyword, beside)) {
+    append_part(bone.mesh, bone.parts, key, mesh_of_given(key, given, keep, said));
+    bone.part_names.push_back(called(key, given));
+  }
+  return bone;
+}
+
+// A file, or rows of x, y, z and thickness.
+std::function<CartilageMap(const Vec3&)> cartilage_of(
+    const std::optional<std::variant<File, Doubles>>& given) {
+  if (!given) return {};
+  if (const auto* const file = std::get_if<File>(&*given))
+    return [file = *file](const Vec3& centre) { return read_cartilage(file, centre); };
+  const auto rows = std::get<Doubles>(*given);
+  if (rows.ndim() != 2 || rows.shape(1) != 4 || rows.shape(0) == 0)
+    throw std::invalid_argument(
+        "cartilage_map: give a file, or an array of shape (n, 4): x, y, z and thickness in mm");
+  std::vector<std::array<double, 4>> points(static_cast<std::size_t>(rows.shape(0)));
+  std::copy_n(rows.data(), rows.size(), points.front().data());
+  return [points](const Vec3& centre) {
+    CartilageMap map;
+    for (const auto& point : points) {
+      try {
+        add_cartilage(point, centre, map);
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument("cartilage_map: row " + std::to_string(&point - points.data()) + " " +
+                                    error.what() + "; give x, y, z and thickness in mm");
+      }
+    }
+    return map;
+  };
+}
+
+// Of two files, or of two pairs of arrays.
+template <class Given>
+SharedJoint joint_of_given(const Given& ball, const Given& socket, const std::optional<std::string>& side,
+                           const std::optional<std::string>& axes, const OptionalPoint& centre,
+                           const std::optional<Marked>& landmarks, const std::string& keep, double overlap_mm,
+                           const py::object& ball_part, const py::object& socket_part,
+                           const std::optional<std::variant<File, Doubles>>& cartilage_map,
+                           bool ignore_rest_contact) {
+  if (!(overlap_mm >= 0.0 && overlap_mm < std::numeric_limits<double>::infinity()))
+    throw std::invalid_argument("overlap_mm: is no length; give a number of mm, 0 or more");
+  if (ignore_rest_contact && overlap_mm > 0.0)
+    throw std::invalid_argument("overlap_mm: ignore_rest_contact finds it; give one of them");
   JointInput input;
-  input.ball = mesh_of_arrays("ball", ball);
-  input.socket = mesh_of_arrays("socket", socket);
-  return with_warnings(joint_of_meshes(input, {side, axes, centre, landmarks, keep, overlap_mm}));
+  Placed placed{side, axes.value_or("RAS"), centre, landmarks};
+  input.ball = bone_of("ball", ball, "ball_part", ball_part, keep, placed.said);
+  input.socket = bone_of("socket", socket, "socket_part", socket_part, keep, placed.said);
+  if constexpr (std::same_as<Given, File>) placed.axes = agreed_axes(ball, socket, axes, "axes=").code;
+  placed.cartilage = cartilage_of(cartilage_map);
+  placed.overlap_mm = ignore_rest_contact ? std::nullopt : std::optional(overlap_mm);
+  return with_warnings(joint_of_meshes(input, placed));
 }
 
 // As the programs type it.
@@ -207,37 +299,74 @@ TriangleMesh mesh_of_state(const py::handle& state) {
   return mesh;
 }
 
+NamedMesh bone_of_state(const py::tuple& state) {
+  NamedMesh bone{
+      state[0].cast<std::string>(), mesh_of_state(state[1]), {}, state[3].cast<std::vector<std::string>>()};
+  for (const py::handle part : py::list(state[2])) {
+    const auto [name, vertex, face, of_main] =
+        part.cast<std::tuple<std::string, std::size_t, std::size_t, bool>>();
+    bone.parts.push_back({name, vertex, face, of_main});
+  }
+  return bone;
+}
+
+CartilageMap cartilage_of_state(const py::tuple& state) {
+  const Doubles given = state[0].cast<Doubles>();
+  const auto directions = python::points_of(given);
+  return {{directions.begin(), directions.end()}, state[1].cast<std::vector<double>>()};
+}
+
 // What it was told of when it was first made is not told again.
 SharedJoint made_again(const py::tuple& state) {
   if (state.size() == 3)
     return joint_of_hip(state[0].cast<std::string>(), state[1].cast<std::size_t>(), py::kwargs(state[2]));
   JointInput input;
-  input.ball = {state[0].cast<std::string>(), mesh_of_state(state[1])};
-  input.socket = {state[2].cast<std::string>(), mesh_of_state(state[3])};
-  return joint_of_meshes(input, {state[4].cast<std::optional<std::string>>(), state[5].cast<std::string>(),
-                                 state[6].cast<OptionalPoint>(), state[7].cast<std::optional<Marked>>(),
-                                 state[8].cast<std::string>(), state[9].cast<double>()});
+  input.ball = bone_of_state(state[0]);
+  input.socket = bone_of_state(state[1]);
+  Placed placed{state[2].cast<std::optional<std::string>>(),
+                state[3].cast<std::string>(),
+                state[4].cast<OptionalPoint>(),
+                state[5].cast<std::optional<Marked>>(),
+                state[6].cast<double>(),
+                state[7].cast<std::vector<std::string>>()};
+  if (!state[8].is_none())
+    placed.cartilage = [map = cartilage_of_state(state[8])](const Vec3& /*centre*/) { return map; };
+  return joint_of_meshes(input, placed);
+}
+
+template <class Given>
+void def_making(JointClass& joint, const char* name, const py::object& axes, const char* text) {
+  const auto none = py::none();
+  const std::string doc = name + std::string("(ball, socket, *, side=None, axes=") +
+                          py::repr(axes).cast<std::string>() +
+                          ", centre=None, landmarks=None, keep='all', overlap_mm=0.0, ball_part=None, "
+                          "socket_part=None, cartilage_map=None, ignore_rest_contact=False)\n--\n\n" +
+                          text;
+  joint.def_static(name, &joint_of_given<Given>, py::arg("ball"), py::arg("socket"), py::kw_only(),
+                   py::arg("side") = none, py::arg("axes") = axes, py::arg("centre") = none,
+                   py::arg("landmarks") = none, py::arg("keep") = "all", py::arg("overlap_mm") = 0.0,
+                   py::arg("ball_part") = none, py::arg("socket_part") = none,
+                   py::arg("cartilage_map") = none, py::arg("ignore_rest_contact") = false, doc.c_str());
 }
 
 }  // namespace
 
 void bind_making(JointClass& joint) {
-  const auto none = py::none();
+  def_making<File>(
+      joint, "read", py::none(),
+      "A joint of two mesh files in one frame, mm. side: left or right; axes: where +x, +y and +z "
+      "point; centre: (x, y, z), fitted to the ball where it is not given; "
+      "landmarks: marked points, of a file or a dict, which give the frames; keep: all, or of each mesh "
+      "the largest piece; overlap_mm: along a ray, that is no contact; ball_part, socket_part: bone beside "
+      "them, as files or a dict of names; cartilage_map: its thickness by place, a file or an array (n, 4); "
+      "ignore_rest_contact: with the least overlap_mm that leaves no contact as scanned.");
+  def_making<MeshArrays>(joint, "from_arrays", py::str("RAS"),
+                         "The same of two pairs of vertices (n, 3) in mm and faces (m, 3).");
   joint
-      .def_static(
-          "read", &read_joint, py::arg("ball"), py::arg("socket"), py::kw_only(), py::arg("side") = none,
-          py::arg("axes") = none, py::arg("centre") = none, py::arg("landmarks") = none,
-          py::arg("keep") = "all", py::arg("overlap_mm") = 0.0,
-          "A joint of two mesh files in one frame, mm. side: left or right; axes: where +x, +y and +z "
-          "point; centre: (x, y, z), fitted to the ball where it is not given; "
-          "landmarks: marked points, of a file or a dict, which give the frames; keep: all, or of each mesh "
-          "the largest piece; overlap_mm: along a ray, that is no contact.")
-      .def_static("from_arrays", &joint_of_arrays, py::arg("ball"), py::arg("socket"), py::kw_only(),
-                  py::arg("side") = none, py::arg("axes") = "RAS", py::arg("centre") = none,
-                  py::arg("landmarks") = none, py::arg("keep") = "all", py::arg("overlap_mm") = 0.0,
-                  "The same of two pairs of vertices (n, 3) in mm and faces (m, 3).")
       .def_static("from_hip", &joint_of_hip, py::arg("preset") = "normal", py::kw_only(),
-                  py::arg("faces") = kHipFaces, "A hip made from parameters, each a keyword.")
+                  py::arg("faces") = kHipFaces,
+                  "from_hip(preset='normal', *, faces=12000, **parameters)\n--\n\n"
+                  "A hip made from parameters, each a keyword.")
       .def(py::pickle([](const PoseJoint& made) { return made.made_of; }, &made_again));
 }
 

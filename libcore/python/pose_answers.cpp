@@ -121,12 +121,15 @@ void bind_pose_answers(JointClass& joint) {
   joint
       .def("gaps", &gaps, py::arg("poses"), py::kw_only(), py::arg("precision_deg") = none,
            py::arg("out") = none,
+           "gaps(self, poses, *, precision_deg=None, out=None)\n--\n\n"
            "Radial gaps in mm of all vertices of ball and socket, two float32 arrays of shape (poses, "
            "vertices): of the faces, or of tables of that spacing in 16 bits. NaN where the other surface is "
            "not met, and in cells of a table that it does not cover or jumps in.")
       .def("touch", &touch, py::arg("poses"),
+           "touch(self, poses)\n--\n\n"
            "Do the surfaces touch or overlap, edges and all? Exact; bool, shape (poses,).")
       .def("smallest_gap", &smallest_gap, py::arg("poses"),
+           "smallest_gap(self, poses)\n--\n\n"
            "A structured array of shape (poses,): gap_mm, bound_mm (proven, on its error), clock (hours), "
            "vertex and surface (0 ball, 1 socket, -1 none).")
       .def(
@@ -134,7 +137,9 @@ void bind_pose_answers(JointClass& joint) {
           [](const PoseJoint& self, const py::object& poses) {
             return matrices_of(self.joint(), poses_of(self.joint(), poses));
           },
-          py::arg("poses"), "x' = M x of each pose in the frame of the meshes, mm; shape (poses, 4, 4).");
+          py::arg("poses"),
+          "matrices(self, poses)\n--\n\n"
+          "x' = M x of each pose in the frame of the meshes, mm; shape (poses, 4, 4).");
 }
 
 }  // namespace impinge::python

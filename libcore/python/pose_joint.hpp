@@ -13,7 +13,9 @@
 
 #include "gap/simd/exact_cells.hpp"
 #include "gap/simd/joint_scan.hpp"
+#include "joint/joint_document.hpp"
 #include "joint/poses.hpp"
+#include "joint/rest_contact.hpp"
 
 namespace impinge::python {
 
@@ -21,16 +23,15 @@ using PoseTable = PackedTable<CubeGnomonic, std::uint16_t>;  // that answers at 
 
 class PoseJoint {
  public:
-  PoseJoint(Joint joint, std::optional<Side> side, const std::string& axes)
-      : axes_(axes), session_(std::move(joint), side, axes) {
-    warn_of_contact(*session_.joint, {.overlap = "overlap_mm= of a little more than that depth"});
+  PoseJoint(Session session, JointNames names) : names_(std::move(names)), session_(std::move(session)) {
+    warn_of_contact(*session_.joint, {.overlap = "ignore_rest_contact=True"});
   }
   PoseJoint(const PoseJoint&) = delete;
   PoseJoint& operator=(const PoseJoint&) = delete;
 
   const SessionJoint& joint() const { return *session_.joint; }
   SessionJoint& joint() { return *session_.joint; }
-  const std::string& axes() const { return axes_; }
+  const JointNames& names() const { return names_; }
 
   /// What pickle keeps: with it the joint can be made again.
   pybind11::tuple made_of;
@@ -41,6 +42,10 @@ class PoseJoint {
 
   /// These answer one call at a time: a second thread waits.
   PoseRow row(PosesOutput output, const Pose& pose);
+  double cartilage_of_scan() {
+    const std::scoped_lock lock(busy_);
+    return impinge::cartilage_of_scan(*session_.joint, "cartilage_of_scan");
+  }
   template <class Request, class... How>
   auto ask(const Request& request, const How&... how) {
     const std::scoped_lock lock(busy_);
@@ -48,8 +53,8 @@ class PoseJoint {
   }
 
  private:
-  std::mutex busy_;  // held while something is made, or asked that keeps what it made
-  std::string axes_;
+  std::mutex busy_;   // held while something is made, or asked that keeps what it made
+  JointNames names_;  // of its meshes, in documents
   Session session_;
   BallSocketPair cells_of_;  // meshes that these borrow
   std::unique_ptr<const PackedJoint<ExactCells>> cells_;

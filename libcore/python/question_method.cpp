@@ -17,7 +17,10 @@ Json json_of_arguments(const py::args& args, const py::kwargs& named,
     given[name] = value;
   }
   const auto dumps = py::module_::import("json").attr("dumps");
-  const auto plain = py::cpp_function([](const py::object& value) { return value.attr("tolist")(); });
+  const auto plain = py::cpp_function([](const py::object& value) {  // of an array or a path
+    return py::hasattr(value, "tolist") ? value.attr("tolist")()
+                                        : py::module_::import("os").attr("fspath")(value);
+  });
   Json arguments = Json::object();
   for (const auto& [name, value] : given) {
     const auto key = name.cast<std::string>();

@@ -42,10 +42,22 @@ auto ask_once(PoseJoint& joint, const Request& request) {
   return joint.ask(request);
 }
 
-/// `(self, KEYWORD=DEFAULT, ...)` as inspect.signature() reads it at the beginning of a docstring.
+/// What the arguments ask.
 template <Described Request>
-std::string signature_of(const char* name) {
-  std::string line = name + std::string("(self");
+Request request_of(const py::args& args, const py::kwargs& named) {
+  std::vector<std::string_view> fields;
+  for_each_field<Request>([&](const auto& field) { fields.push_back(field.name); });
+  Request request;
+  read_request(json_of_arguments(args, named, fields), request);
+  if constexpr (requires { request.check(); }) request.check();
+  return request;
+}
+
+/// `(self, KEYWORD=DEFAULT, ...)` as inspect.signature() reads it at the beginning of a docstring; `self` may
+/// be "self, out".
+template <Described Request>
+std::string signature_of(const char* name, const char* self = "self") {
+  std::string line = std::string(name) + "(" + self;
   for_each_field<Request>([&line, request = Request()](const auto& field) {
     line += ", " + std::string(field.name) + "=" +
             py::repr(object_of(json_of(field.of(request)))).template cast<std::string>();
@@ -59,17 +71,12 @@ template <Described Request, Described Answer>
 void bind_question(JointClass& joint, const char* name, std::string_view text,
                    void (*more)(PoseJoint&, const Answer&, py::dict&) = nullptr,
                    Answer (*ask)(PoseJoint&, const Request&) = &ask_once<Request>) {
-  py::options options;
-  options.disable_function_signatures();  // there is a better one
   if (!py::hasattr(joint, "_questions")) joint.attr("_questions") = py::dict();
   joint.attr("_questions")[name[0] == '_' ? name + 1 : name] = name;
   joint.def(
       name,
       [more, ask](PoseJoint& self, const py::args& args, const py::kwargs& named) {
-        std::vector<std::string_view> fields;
-        for_each_field<Request>([&](const auto& field) { fields.push_back(field.name); });
-        Request request;
-        read_request(json_of_arguments(args, named, fields), request);
+        const auto request = request_of<Request>(args, named);
         std::optional<Answer> found;
         without_lock(1, [&](std::size_t) { found.emplace(ask(self, request)); });
         py::dict answer = object_of(json_of(*found));

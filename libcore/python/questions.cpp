@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The questions as methods, with the arrays that are no JSON.
 #include <algorithm>
+#include <filesystem>
 
+#include <pybind11/stl/filesystem.h>
+
+#include "files/file_bytes.hpp"
+#include "files/file_set.hpp"
 #include "joint/gaps.hpp"
+#include "joint/joint_document.hpp"
 #include "joint/limits.hpp"
 #include "joint/measures.hpp"
 #include "joint/orient.hpp"
+#include "joint/poses.hpp"
 #include "joint/proof.hpp"
+#include "joint/report.hpp"
 #include "joint/resect.hpp"
 #include "joint/volume.hpp"
 #include "python/question_method.hpp"
+#include "report/files.hpp"
+#include "report/page.hpp"
 
 namespace impinge::python {
 namespace {
@@ -21,6 +31,67 @@ void add_mesh(PoseJoint& /*joint*/, const ResectAnswer& cut, py::dict& found) {
   found["vertices"] = py::array_t<double>({rows(vertices), py::ssize_t{3}}, vertices.front().data());
   found["faces"] = py::array_t<std::uint32_t>({rows(faces), py::ssize_t{3}}, faces.front().data());
   found["depth"] = py::array_t<double>(rows(cut.depth), cut.depth.data());
+}
+
+// Of gaps.csv and distances.csv.
+void add_vertices(PoseJoint& /*joint*/, const GapsAnswer& answer, py::dict& found) {
+  for (const char* key : {"gap", "bound", "distance"}) found[key] = py::dict();
+  for (const Surface surface : kSurfaces) {
+    const SurfaceAnswer& of = answer.of(surface);
+    const py::str name(std::string(impinge::name(surface)));
+    const auto add = [&](const char* key, const std::vector<double>& values) {
+      if (!values.empty())
+        found[key][name] = py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+    };
+    add("gap", of.gap);
+    add("bound", of.bound);
+    if (of.distance.empty()) continue;
+    py::array_t<double> ends({static_cast<py::ssize_t>(of.distance.size()), py::ssize_t{2}});
+    double* end = ends.mutable_data();
+    for (const DistanceBracket& distance : of.distance) {
+      *end++ = distance.lower_mm;
+      *end++ = distance.upper_mm;
+    }
+    found["distance"][name] = ends;
+  }
+}
+
+// The rows of poses.csv beside the document.
+struct PosesRows : PosesAnswer {
+  std::vector<PoseRow> rows;
+  PoseList list;
+};
+
+PosesRows ask_poses(PoseJoint& joint, const PosesRequest& request) {
+  PosesRows found;
+  InterruptWatch watch;
+  found.list = list_of(request, joint.joint());
+  const PoseSeries series(joint.joint(), request);
+  if (request.asks(PosesOutput::touch)) found.touching = 0;
+  if (const std::string doubt = doubt_of(request, joint.joint(), found.list); !doubt.empty())
+    found.doubt = doubt;
+  for (std::size_t k = 0; k < found.list.size(); ++k) {
+    PoseRow row{.pose = k + 1, .tracked = found.list.tracked(k)};
+    if (row.tracked) row = series.answer(pose_in(joint.joint(), found.list, k));
+    row.pose = k + 1;
+    add_row(row, found);
+    found.rows.push_back(std::move(row));
+    watch.look();
+  }
+  return found;
+}
+
+void add_rows(PoseJoint& /*joint*/, const PosesRows& answer, py::dict& found) {
+  if (answer.doubt) warn(*answer.doubt);
+  Json rows = Json::array();
+  for (const PoseRow& row : answer.rows) {
+    Json& one = rows.emplace_back(json_of(row));
+    if (row.areas) one.update(json_of(*row.areas));
+    for (std::size_t k = 0; k < answer.list.width(); ++k)
+      if (const std::string& name = answer.list.columns[k].name; !name.empty())
+        one[name] = json_of(answer.list.values[(row.pose - 1) * answer.list.width() + k]);
+  }
+  found["rows"] = object_of(rows);
 }
 
 // A row of orientation.csv.
@@ -70,11 +141,40 @@ void add_cells(PoseJoint& /*joint*/, const VolumeAnswer& found, py::dict& answer
 }
 
 // Looks for Ctrl-C after each batch of cells.
-VolumeAnswer ask_watched(PoseJoint& joint, const VolumeRequest& request) {
+template <class Request>
+auto ask_watched(PoseJoint& joint, const Request& request) {
   InterruptWatch watch;
   return joint.ask(
       request, VolumeSettings{.most_cells = kMostVolumeCells,
                               .reached = [&watch](std::span<const CellVerdict>, double) { watch.look(); }});
+}
+
+// The folder of `impinge report`.
+py::object report(PoseJoint& joint, const std::filesystem::path& out, const py::args& args,
+                  const py::kwargs& named) {
+  const auto request = request_of<ReportRequest>(args, named);
+  Json document;
+  without_lock(1, [&](std::size_t) {
+    require_writable_folder(out);
+    Stopwatch watch;
+    const ReportAnswer found = ask_watched(joint, request);
+    const JointNames& names = joint.names();
+    document = document_of("report", json_of(describe(joint.joint(), names)), json_of(request),
+                           json_of(found), {{"answer", watch.lap_ms()}});
+    std::vector<std::filesystem::path> inputs{names.ball, names.socket};
+    inputs.insert(inputs.end(), names.ball_parts.begin(), names.ball_parts.end());
+    inputs.insert(inputs.end(), names.socket_parts.begin(), names.socket_parts.end());
+    FileSet files;
+    for (const AnswerFile& file : report_files(joint.joint(), request, found, inputs)) {
+      files.add(out / file.name, file.bytes);
+      document["files"].push_back(file.name);
+    }
+    document["files"].push_back("summary.json");
+    files.add(out / "summary.json", text_of(document));
+    files.commit();
+  });
+  if (kReportViewer.empty()) warn("report.html does not draw the bones: " + viewer_missing());
+  return object_of(document["answer"]);
 }
 
 // A gap that is there from the start, where nothing touches, is worth a word.
@@ -102,14 +202,21 @@ void bind_questions(JointClass& joint) {
   PYBIND11_NUMPY_DTYPE(SquareRow, inclination_deg, anteversion_deg, half_width_deg, leg, state);
   PYBIND11_NUMPY_DTYPE(CellRow, level, cell, w, x, y, z, radius_deg, share, free, blocked, state, reachable);
   bind_question<TouchRequest, TouchAnswer>(joint, "_touch", "Do the bones touch in a pose?");
-  bind_question<GapsRequest, GapsAnswer>(joint, "_gaps", "What all gaps of a pose say.");
+  bind_question<GapsRequest, GapsAnswer>(
+      joint, "_gaps",
+      "What all gaps of a pose say; `gap`, `bound` and `distance` are dicts of ball and socket, an array of "
+      "the vertices each.",
+      &add_vertices);
   bind_question<LimitsRequest, LimitsAnswer>(
       joint, "limits", "How far each motion goes before bones meet, and what meets what.", &warn_of_start);
+  bind_question<PosesRequest, PosesRows>(
+      joint, "_poses", "Contact and the smallest gap in each of many poses; `rows` are those of poses.csv.",
+      &add_rows, &ask_poses);
   bind_question<VolumeRequest, VolumeAnswer>(joint, "volume",
                                              "Which share of all rotations is free, and can be reached; "
                                              "`cells` is a structured array with the columns "
                                              "of volume.csv.",
-                                             &add_cells, &ask_watched);
+                                             &add_cells, &ask_watched<VolumeRequest>);
   bind_question<ResectRequest, ResectAnswer>(
       joint, "resect",
       "The bone that would have to go so that motions are reached, and the cut mesh as `vertices`, `faces` "
@@ -129,6 +236,12 @@ void bind_questions(JointClass& joint) {
       "the pose; `text` is the "
       "certificate, which experiments/check_certificate.py checks.",
       &add_text);
+  joint.attr("_questions")["report"] = "report";
+  joint.def("report", &report,
+            (signature_of<ReportRequest>("report", "self, out") +
+             docstring_of<ReportRequest, ReportAnswer>(
+                 "Writes report.html and its numbers into the folder `out`, as `impinge report` does."))
+                .c_str());
 }
 
 }  // namespace impinge::python

@@ -27,8 +27,16 @@ class CMakeBuild(build_ext):
         subprocess.check_call(["cmake", "--install", BUILD, "--component", "python", "--prefix", package.parent])
 
 
+def numpy_that_works() -> str:
+    """pybind11 knows NumPy 2 from 2.12 on; Debian 12 has 2.10."""
+    header = Path("/usr/include/pybind11/detail/common.h")
+    said = re.search(r"PYBIND11_VERSION_MINOR (\d+)", header.read_text(encoding="utf-8")) if header.exists() else None
+    return "numpy<2" if said and int(said[1]) < 12 else "numpy"
+
+
 WHEEL.mkdir(parents=True, exist_ok=True)
 setup(
+    install_requires=[numpy_that_works()],
     version=re.search(r"VERSION (\d+\.\d+\.\d+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")).group(1),
     ext_modules=[Extension("impinge._impinge", sources=[])],
     cmdclass={"build_ext": CMakeBuild},

@@ -12,8 +12,9 @@ import textwrap
 from pathlib import Path
 
 STUBS = Path(__file__).with_name("impinge") / "__init__.pyi"
-QUESTIONS = ("limits", "volume", "measure", "resect", "orient", "certify")  # methods; touch and gaps take arrays of poses
-DOCUMENTS = ("touch", "gaps")  # of Joint.ask()
+QUESTIONS = ("limits", "volume", "measure", "resect", "orient", "certify", "report")  # methods; touch and gaps take arrays of poses
+DOCUMENTS = ("touch", "gaps", "poses")  # of Joint.ask()
+FIRST = {"report": ["out: str | PathLike[str]"]}  # that is no part of the request
 ARRAYS = {"volume": "Volume", "resect": "Resection", "orient": "Orientation", "certify": "Certificate"}  # answers with more than JSON
 MOTION = ["flexion", "abduction", "internal_rotation"]
 PLAIN = {"string": "str", "integer": "int", "number": "float", "boolean": "bool"}
@@ -38,6 +39,8 @@ class Dicts:
             return self.type_of({**schema, "type": kind[0]}, key, parent) + " | None"
         if kind == "array":
             return f"list[{self.type_of(schema['items'], key.removesuffix('s'), parent)}]"
+        if kind == "object" and parent == "ReportAnswer":  # those of its questions
+            return f"{camel(key).replace('Measures', 'Measure')}Answer"
         return self.dict_of(schema, camel(key), parent) if kind == "object" else PLAIN[kind]
 
     def dict_of(self, schema, name, parent=""):
@@ -63,10 +66,10 @@ def parts(program):
         answer = dicts.dict_of(schema["properties"]["answer"], f"{question.capitalize()}Answer")
         if question in DOCUMENTS:
             continue
-        asked = []
+        asked = FIRST.get(question, [])[:]
         for key, of in schema["properties"]["request"]["properties"].items():
             kind = dicts.type_of(of, key, "").replace("list[Motion]", "Motions | Sequence[str]").replace("Motion | None", "Poses | None").replace("list[str]", "str | Sequence[str]")
-            asked.append(f"{key}: {kind} = ...")
+            asked.append(f"{key}: {'Poses' if kind == 'Motion' else kind} = ...")
         text = textwrap.fill(f'"""{schema["description"]} As `impinge {question}`; each argument and key: help().', 118, initial_indent=" " * 8,
                              subsequent_indent=" " * 8) + '"""'
         line = f"    def {question}(self{''.join(', ' + one for one in asked)}) -> {ARRAYS.get(question, answer)}:"

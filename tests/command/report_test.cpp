@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "command/joint_options.hpp"
-#include "command/report_clock.hpp"
 #include "files/file_bytes.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"
+#include "report/clock.hpp"
 #include "support/command_line.hpp"
 #include "support/temporary_folder.hpp"
 

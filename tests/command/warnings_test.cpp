@@ -12,6 +12,7 @@
 #include "command/question_command.hpp"
 #include "joint/gaps.hpp"
 #include "joint/limits.hpp"
+#include "joint/rest_contact.hpp"
 #include "joint/volume.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/io.hpp"
@@ -132,10 +133,11 @@ TEST_F(JointWarnings, ContactAsScannedIsIgnoredUpToItsDepth) {
 }
 
 TEST_F(JointWarnings, CartilageOfTheScanIsItsSmallestGap) {
-  EXPECT_NEAR(cartilage_of_scan(*load_joint(options_, {}).joint), 2.98, 0.021);  // faces are flat
+  EXPECT_NEAR(cartilage_of_scan(*load_joint(options_, {}).joint, "--cartilage scan"), 2.98,
+              0.021);  // faces are flat
   options_.ball = written("ball.ply", sphere(25.25, 3000));
-  const std::string refused =
-      test::thrown<std::runtime_error>([&] { cartilage_of_scan(*load_joint(options_, {}).joint); });
+  const std::string refused = test::thrown<std::runtime_error>(
+      [&] { cartilage_of_scan(*load_joint(options_, {}).joint, "--cartilage scan"); });
   EXPECT_EQ(refused.rfind("--cartilage scan: the bones as scanned leave no gap", 0), 0U) << refused;
 }
 

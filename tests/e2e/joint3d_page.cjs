@@ -6,6 +6,7 @@
 const { execFileSync } = require("node:child_process");
 const fs = require("node:fs");
 const path = require("node:path");
+const { pathToFileURL } = require("node:url");
 const { FOLDER, assert, choose, difference, madePair, message, open, picture, posed, run, settled, smallest, text, type, value } = require("./joint3d_browser.cjs");
 
 const DESKTOP = [1000, 640];
@@ -289,6 +290,14 @@ async function allLimits(page, saved) {
   assert.ok(Math.abs(await smallest(page)) < 0.1, `a gap of ${await smallest(page)} at the limit`);
   assert.match(await text(page, "measures-rows"), /CCD.*126\.\d° ± \d\.\d°Published: median 122\.2°, quartiles 117\.9° and 125\.6° of 1,070 femora, by CT \(Hartel 2016\)/);
   await posed(page, () => page.click("#reset-pose"));
+  await page.check("#limits-rim");
+  await page.waitForFunction(() => document.getElementById("limits-of").textContent === "rim alone" && !document.getElementById("save-limits").disabled);
+  assert.match(await text(page, "limits-rim-say"), /^the rim alone: where the socket's bone within 2\.5 mm of its rim/);
+  const rim = await saved("save-limits");
+  assert.equal(rim.name, "limits_rim_patient_a_stand_in_right.csv");
+  const [all, alone] = [bytes, rim.bytes].map((csv) => csv.toString().match(/(?<=,0,ball,\w+,)[\d.]+/g).map(Number));
+  assert.ok(alone.length === 12 && alone.every((low, k) => low > all[k] - 1e-3), `${alone} before ${all}`);
+  await page.uncheck("#limits-rim");
   await type(page, "flexion", 45);
 }
 
@@ -337,6 +346,26 @@ function besideFiles() {
   const landmarks = path.join(FOLDER, "points.csv");
   fs.writeFileSync(landmarks, "label,x,y,z\nasis_right,20,40,80\nasis_left,-180,40,80\npubic_tubercle_right,-60,20,-10\npubic_tubercle_left,-100,20,-10\n");
   return { body, trochanter, landmarks };
+}
+
+/** The report is the program's, and draws the bones. */
+async function report(page) {
+  const { ball, socket } = madePair("cam");
+  await posed(page, () => page.click("#reset-pose"));
+  await page.click("#save-report");
+  await page.evaluate(() => document.getElementById("keep-cancel").click());
+  assert.equal(await text(page, "keep-say"), "Cancelled.");
+  const { name, bytes } = await download(page, "save-report");
+  assert.equal(name, "report_ball_and_socket_right.html");
+  const file = path.join(FOLDER, name);
+  fs.writeFileSync(file, bytes);
+  execFileSync(process.env.IMPINGE, ["report", ball, socket, "--side", "right", "--out", path.join(FOLDER, "report")], { stdio: "pipe" });
+  const read = (html) => html.toString().split("<script")[0].replace(/commit [\w-]+/, "");
+  assert.equal(read(bytes), read(fs.readFileSync(path.join(FOLDER, "report", "report.html"))));
+  const made = await page.context().newPage();
+  await made.goto(pathToFileURL(file).href);
+  await made.waitForSelector("body.drawn");
+  await made.close();
 }
 
 /** Parts and landmarks are taken with the joint, told, kept in a saved session, and left out again. */
@@ -402,9 +431,10 @@ async function cancelled(page) {
 
 /** What a panel works out can be cancelled and taken up again. */
 async function halted(page, id) {
-  await page.click(`#${id}-cancel`);
+  const press = () => page.evaluate((panel) => document.getElementById(`${panel}-cancel`).click(), id); // at once: before it is done
+  await press();
   assert.match(await page.textContent(`#${id} .working`), /Cancelled\.Work it out$/);
-  await page.click(`#${id}-cancel`);
+  await press();
   assert.match(await page.textContent(`#${id} .working`), /^\d+ s.*Cancel$/);
 }
 
@@ -423,6 +453,7 @@ async function ownJoint(page) {
   await posed(page, () => page.click("#use-files"));
   assert.match(await text(page, "centre-say"), /Centre fitted at .*: radius 24.00 mm/);
   assert.match(await text(page, "files-say"), /^Taken, with/);
+  await report(page);
   await besides(page);
   await cancelled(page);
   await choose(page, madePair("cam"));
@@ -659,6 +690,17 @@ async function whatIsBlocked(page) {
   assert.equal(await page.locator("#orientation-plot .mark").count(), 1);
 }
 
+/** Words and colours of the map are those of the program's own. */
+async function likeTheProgram(page, required) {
+  const { ball, socket } = madePair("cam");
+  const folder = path.join(FOLDER, "orient");
+  execFileSync(process.env.IMPINGE, ["orient", ball, socket, "--side", "right", "--require", required, "--resolution", "0.75", "--out", folder], { stdio: "pipe" });
+  const svg = fs.readFileSync(path.join(folder, "orientation.svg"), "utf8");
+  const key = (await text(page, "orientation-key")).split(/; (?=the dot)|(?<=a turn by [\d.]+) ?| (?=blocked|undecided|the ball)/);
+  const fills = await page.locator("#orientation-plot rect[fill]").evaluateAll((all) => [...new Set(all.map((rect) => rect.getAttribute("fill")))]);
+  for (const words of [...key, ...fills, "anteversion, degrees", "inclination, degrees"]) assert.ok(svg.includes(words), `${words} is not in ${svg.replace(/<path.*>/g, "")}`);
+}
+
 /** The map of orientations, with the socket as it is. */
 async function orientation(page) {
   await fold(page, "orientation");
@@ -673,14 +715,15 @@ async function orientation(page) {
   assert.match(first, /^As it is, at inclination 5\d\.\d° and anteversion 1\d\.\d°: free\. Free are \d+ to \d+ of 8100 square degrees\.$/);
   const of = async () => (await page.locator("#orientation-plot rect[fill]").evaluateAll((all) => all.map((rect) => rect.getAttribute("fill")))).reduce((count, fill) => count.set(fill, 1), new Map()).size;
   assert.ok(await of() >= 2, "one colour");
-  assert.equal(await page.locator("#orientation-plot circle").count(), 1);
+  assert.equal(await page.locator("#orientation-plot circle").count(), 2);
   await whatIsBlocked(page);
   await type(page, "flexion", 90);
   await type(page, "internal_rotation", 40);
   await page.click("#orientation-pose");
   assert.equal(await page.inputValue("#orientation-required"), "flexion=90, internal_rotation=40");
   const blocked = await said();
-  assert.match(blocked, /: blocked\./);
+  assert.match(blocked, /: blocked\..* Nearest free: inclination [\d.]+°, anteversion -?[\d.]+°, by a turn of the socket by [\d.]+° about the axis /);
+  await likeTheProgram(page, "flexion=90,internal_rotation=40");
   await page.fill("#orientation-tilt", "10");
   await page.press("#orientation-tilt", "Enter");
   await page.waitForFunction((was) => !["", was].includes(document.getElementById("orientation-say").textContent), blocked);

@@ -132,7 +132,7 @@ test('a state comes back from its fragment, with the camera, and nonsense is lef
   const { firstState, fromFragment, toFragment } = words;
   const state = firstState();
   state.look.camera = [1, -2.5, 3, 0, 0.5, 0];
-  Object.assign(state, { offset: [1, 0, -0.5], held: true, required: 'flexion=90, abduction=-10; extension=5', clearance: 0.7, tilt: -4 });
+  Object.assign(state, { offset: [1, 0, -0.5], held: true, rim: true, required: 'flexion=90, abduction=-10; extension=5', clearance: 0.7, tilt: -4 });
   state.joint = { name: 'own', side: 'left', parameters: {} };
   assert.deepEqual(fromFragment(`#${toFragment(state)}`), state);
   for (const camera of ['1,2,3', '1,2,3,4,5,x', '1,2,3,4,5,1e9', '']) assert.equal(fromFragment(`#camera=${camera}`).look.camera, null);

@@ -17,6 +17,10 @@ def marked(**landmarks):
     return impinge.Joint.from_arrays(sphere(20.0), sphere(25.0, open_above=10.0), centre=(0, 0, 0), landmarks=landmarks)
 
 
+def beside(part=None, **more):
+    return impinge.Joint.from_arrays(sphere(20.0), sphere(25.0, open_above=10.0), centre=(0, 0, 0), ball_part=part, **more)
+
+
 REFUSED = [
     (ValueError, lambda j: impinge.Joint.from_hip("cam", side="up"), "side 'up' is neither left nor right"),
     (ValueError, lambda j: impinge.Joint.from_hip("flat"), "'flat'"),
@@ -31,6 +35,13 @@ REFUSED = [
     (ValueError, lambda j: marked(asis_right=(1, 2, np.nan)), "landmarks: the landmark asis_right has no place; give each once"),
     (ValueError, lambda j: marked(asis_right=(1, 2, 3), right_asis=(1, 2, 3)), "landmarks: the landmark right_asis is there twice"),
     (RuntimeError, lambda j: marked(asis_right=(1, 2, 3)), "landmarks: the landmark asis_left is missing; mark it"),
+    (ValueError, lambda j: beside([1, 2]), "ball_part: is no bone; give a file, a list of files, or a dict of names, each with"),
+    (ValueError, lambda j: beside({"stem": (np.eye(3), [1, 2])}), "stem: give vertices and faces as two arrays of three columns"),
+    (impinge.FileError, lambda j: beside("no.ply"), "no.ply: "),
+    (ValueError, lambda j: beside(cartilage_map=np.ones((2, 3))), "cartilage_map: give a file, or an array of shape (n, 4)"),
+    (ValueError, lambda j: beside(cartilage_map=[[1, 0, 0, 2], [1, 0, 0, -2]]), "cartilage_map: row 1 has a negative thickness; give"),
+    (ValueError, lambda j: beside(overlap_mm=1, ignore_rest_contact=True), "overlap_mm: ignore_rest_contact finds it; give one"),
+    (ValueError, lambda j: j.ask("poses"), "poses: they are asked for by a file, or by a path of angles; give one of"),
     (ValueError, lambda j: j.gaps([[1.0, 2.0]]), "poses: an array of shape (1, 2) holds none; give angles in degrees"),
     (ValueError, lambda j: j.gaps([["a", "b", "c"]]), "poses: no array of numbers; give"),
     (ValueError, lambda j: j.touch([np.nan, 0, 0]), "poses: an angle is not within 180 degrees of 0"),
@@ -114,7 +125,7 @@ def test_stubs_and_page_have_what_module_and_program_have():
 def test_help_says_what_each_member_is():
     """And of arrays their shape."""
     arrays = {"Joint.centre", "Joint.gaps", "Joint.touch", "Joint.smallest_gap", "Joint.matrices", "Surface.vertices", "Surface.faces",
-              "Surface.areas", "Scheme.directions", "Scheme.stencils"}
+              "Surface.areas", "Surface.clock", "Scheme.directions", "Scheme.stencils"}
     for name in impinge.__all__:
         thing = getattr(impinge, name)
         own = vars(thing) if isinstance(thing, type) and thing.__module__ == "impinge._impinge" else {}
@@ -143,17 +154,23 @@ def test_version_is_that_of_the_project():
 
 def test_ask_takes_questions_alone(hip):
     for name in ("landmarks", "ball", "gap", "_touch", "read", "__init__"):
-        with pytest.raises(ValueError, match=f"^there is no question '{name}'; there are touch, gaps, limits, [a-z, ]*certify$"):
+        with pytest.raises(ValueError, match=f"^there is no question '{name}'; there are touch, gaps, limits, [a-z, ]*certify, report$"):
             hip.ask(name)
     assert hip.ask("limits", motions="flexion") == hip.limits("flexion")
 
 
 def test_signatures_have_the_keywords_of_the_stubs(hip):
     tree = ast.parse((ROOT / "libcore/python/impinge/__init__.pyi").read_text(encoding="utf-8"))
-    joint = next(node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == "Joint")
-    stubs = {part.name: [word.arg for word in part.args.args] for part in joint.body if isinstance(part, ast.FunctionDef)}
-    for question in ("limits", "volume", "resect", "orient", "measure", "certify"):
-        assert list(inspect.signature(getattr(impinge.Joint, question)).parameters) == stubs[question], question
-        assert list(inspect.signature(getattr(hip, question)).parameters) == stubs[question][1:], question
+    held = {node.name: node.body for node in tree.body if isinstance(node, ast.ClassDef)} | {"": tree.body}
+    for name in ("", "Joint", "Scheme"):
+        owner = getattr(impinge, name) if name else impinge
+        for part in (part for part in held[name] if isinstance(part, ast.FunctionDef) and part.name[0] != "_"):
+            if isinstance(getattr(owner, part.name), property):
+                continue
+            found, arguments = inspect.signature(getattr(owner, part.name)), part.args
+            assert list(found.parameters) == [one.arg for one in (*arguments.args, *arguments.kwonlyargs, arguments.kwarg) if one], part.name
+            for word, default in zip(arguments.kwonlyargs, arguments.kw_defaults):
+                assert found.parameters[word.arg].default == ast.literal_eval(default), (part.name, word.arg)
+    assert list(inspect.signature(hip.gaps).parameters) == ["poses", "precision_deg", "out"]
     assert inspect.signature(hip.volume).parameters["gap_mm"].default == 0
     assert hip.limits.__doc__.startswith("How far each motion goes")

@@ -58,6 +58,7 @@ def ask_page(floats):
     pose = {**POSE, "cartilage_mm": 4}
     wanted = {"ball": str(floats[0]), "socket": str(floats[1]), "side": "right", "pose": pose,
              "tables": [{"scheme": scheme, "precision_deg": 4, "storage": "double"} for scheme in SCHEMES] + [CUBE],
+             "report": {"asked": {"width": 0.4}, "ball": "ball.ply", "socket": "socket.ply", "program": "impinge", "viewer": "draw()"},
              "limits": {"translation": [0, 0, 0], "cartilage_mm": 4, "largest_deg": 360}, "measure": {}}
     done = subprocess.run([os.environ["NODE"], ROOT / "tests/joint3d/answers.js", json.dumps(wanted)], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
@@ -132,6 +133,16 @@ def test_limits_of_the_page(page, floats, tmp_path):
         for key, most in (("centre_low_deg", FINEST), ("centre_high_deg", 1e-6), ("half_mm_gap_deg", 1e-6)):
             assert number(one[key]) == pytest.approx(number(other[key]), abs=most), (one, key)
 
+
+def test_report_of_the_page(page, floats, tmp_path):
+    """All that a reader reads, word for word, and the scene that the viewer draws, but for what made it."""
+    asked(floats, tmp_path, "report", "--width", "0.4")
+    theirs, mine = (tmp_path / "report.html").read_text(encoding="utf-8"), page["report"]["html"]
+    said, scene = (re.split(r"<script[^>]*>|</script>", html)[:2] for html in (theirs, mine))
+    assert re.sub(r"impinge [\d.]+, commit [\w-]+", "impinge", said[0]) == scene[0]
+    theirs, mine = (json.loads(one[1].replace("<\\/", "</")) for one in (said, scene))
+    assert mine["joint"]["ball"] == theirs["joint"]["ball"] and list(mine["pose"]) == list(theirs["pose"])
+    assert mine["pose"]["smallest_gap"]["gap_mm"] == pytest.approx(theirs["pose"]["smallest_gap"]["gap_mm"], abs=SMALL)
 
 
 def test_landmarks(joint, floats, tmp_path):

@@ -18,6 +18,7 @@
 #include "joint/proof.hpp"
 #include "joint/volume.hpp"
 #include "replies.hpp"
+#include "report/page.hpp"
 #include "requests.hpp"
 
 namespace impinge {
@@ -106,19 +107,37 @@ val ask_question(const val& request) {
   return reply;
 }
 
+// One thread; a worker of the page is told how far it is.
+VolumeSettings volume_settings(VolumeSettings how = {}) {
+  how.threads = 1;
+  const val reached = val::global("joint3dReached");
+  if (reached.typeOf().as<std::string>() == "function")
+    how.reached = [reached](std::span<const CellVerdict>, double open) { reached(open); };
+  return how;
+}
+
 val ask_volume(const val& request) {
   const auto asked = described<VolumeRequest>(request);
   if (asked.width < 0.02)
     throw std::invalid_argument(
         "a page leaves 0.02 of all rotations open, or more; choose a width from 0.02 to 1");
-  VolumeSettings how{.threads = 1};
-  const val reached = val::global("joint3dReached");  // of the worker of the page
-  if (reached.typeOf().as<std::string>() == "function")
-    how.reached = [reached](std::span<const CellVerdict>, double open) { reached(open); };
-  const VolumeAnswer found = answer(session(), asked, how);
+  const VolumeAnswer found = answer(session(), asked, volume_settings());
   val reply = val_of(json_of(found));
   add_arrays(*session().joint, found, reply);
   return reply;
+}
+
+// The file that `impinge report` writes. `asked` is a ReportRequest; the page holds the viewer.
+val ask_report(const val& request) {
+  const auto asked = described<ReportRequest>(request["asked"]);
+  const ReportAnswer found = answer(session(), asked, volume_settings({.most_cells = kMostVolumeCells}));
+  const auto said = [&request](const char* name) { return request[name].as<std::string>(); };
+  ReportParts parts =
+      report_parts(*session().joint, {.ball = said("ball"), .socket = said("socket")}, asked, found);
+  const std::string viewer = said("viewer");
+  parts.program = said("program");
+  parts.viewer = viewer;
+  return object(std::pair("html", report_page(parts)));
 }
 
 val ask_export(const val& request) {
@@ -157,6 +176,7 @@ val ask(const std::string& kind, const val& request) {
       {"volume", ask_volume},
       {"resect", ask_question<ResectRequest>},
       {"orient", ask_question<OrientRequest>},
+      {"report", ask_report},
       {"export", ask_export}};
   try {
     const auto found = kKinds.find(kind);

@@ -8,6 +8,7 @@
 #include "hip/hip_presets.hpp"
 #include "hip/named_motion.hpp"
 #include "hip/recorded_range.hpp"
+#include "joint/limits.hpp"
 #include "sphere/scheme_list.hpp"
 
 namespace impinge {
@@ -69,6 +70,15 @@ val recorded_value(const RecordedRange& range) {
                 std::pair("patient_a", range.patient_a), std::pair("patient_b", range.patient_b));
 }
 
+// Of limits of the rim alone, as the program's help has it.
+val rim_meaning() {
+  std::string_view meaning;
+  for_each_field<LimitsRequest>([&](const auto& field) {
+    if (field.name == "rim") meaning = field.text;
+  });
+  return text(meaning);
+}
+
 template <SamplingScheme S>
 val scheme_value() {
   val precisions = val::array();
@@ -94,7 +104,8 @@ val catalogue() {
   return object(std::pair("presets", list(hip_preset_names(), preset_value)),
                 std::pair("parameters", list(hip_parameter_list(), parameter_value)),
                 std::pair("motions", list(named_motions(), named_motion_value)),
-                std::pair("recorded", list(kRecordedRanges, recorded_value)), std::pair("schemes", schemes));
+                std::pair("recorded", list(kRecordedRanges, recorded_value)), std::pair("schemes", schemes),
+                std::pair("rim", rim_meaning()));
 }
 
 }  // namespace impinge

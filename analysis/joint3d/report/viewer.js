@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bones of a report (libcore/command/report_page.hpp): pictures from the usual sides, and one that a reader turns. The page
+// The bones of a report (libcore/report/page.hpp): pictures from the usual sides, and one that a reader turns. The page
 // has the meshes with their gaps as JSON, in the form of the library's replies to Joint3D.
 import { byId, make, oneOfButtons } from "../src/elements.js";
 import { drawCompass } from "../src/labels.js";

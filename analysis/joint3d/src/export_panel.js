@@ -11,7 +11,7 @@ import { gapWords } from "./readouts.js";
 import { sessionBytes } from "./session_file.js";
 import { OWN } from "./state.js";
 
-function save(content, name) {
+export function save(content, name) {
   const blob = content instanceof Blob ? content : new Blob([content], { type: "application/octet-stream" });
   const link = make("a", { href: URL.createObjectURL(blob), download: name });
   link.click();
@@ -78,7 +78,7 @@ export class ExportPanel {
   async limits() {
     const { name, joint, limits } = this.shown();
     const { offset } = this.app.state;
-    save(limitsCsv(titled(name, joint), limits, shiftWords(offset).replaceAll("−", "-")), `limits_${fileStem(name, joint.side, { motion: {}, offset })}.csv`);
+    save(limitsCsv(titled(name, joint), limits, shiftWords(offset).replaceAll("−", "-")), `limits_${this.app.state.rim ? "rim_" : ""}${fileStem(name, joint.side, { motion: {}, offset })}.csv`);
   }
 
   async session() {

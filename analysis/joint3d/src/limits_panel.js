@@ -29,14 +29,16 @@ export function limitsCsv(joint, rows, shift = "") {
 
 export class LimitsPanel {
   /** ask(request): the library's reply to `limits`; shape(): shift and cartilage of the pose; onPose(motion), start and limit; fault(error). */
-  constructor({ ask, shape, onPose, fault }) {
-    Object.assign(this, { ask, shape, onPose, fault, rows: [], run: 0, timer: 0, known: false, of: "", halted: false });
+  constructor(app, { ask, shape, onPose, fault }) {
+    Object.assign(this, { app, ask, onPose, fault, shape: () => ({ ...shape(), rim: app.state.rim }), rows: [], run: 0, timer: 0, known: false, of: "", halted: false });
     byId("all-limits").addEventListener("toggle", () => this.begin());
+    byId("limits-rim").addEventListener("change", ({ target }) => { app.state.rim = target.checked; this.posed(); this.write(); });
     byId("limits-cancel").addEventListener("click", () => (this.halted ? this.begin(true) : this.halt()));
   }
 
-  setCatalogue({ motions }) {
+  setCatalogue({ motions, rim }) {
     this.motions = motions;
+    byId("limits-rim-say").textContent = rim;
     this.write();
   }
 
@@ -106,6 +108,8 @@ export class LimitsPanel {
   }
 
   write() {
+    byId("limits-rim").checked = this.app.state.rim;
+    byId("limits-of").textContent = this.app.state.rim ? "rim alone" : "bone";
     const done = this.rows.length;
     byId("limits-rows").replaceChildren(...(this.motions ?? []).map((motion, k) => {
       const limits = this.rows[k]?.limits;

@@ -23,6 +23,7 @@ import { Player } from "./player.js";
 import { PointsPanel } from "./points_panel.js";
 import { Poses } from "./poses.js";
 import { Proof } from "./proof.js";
+import { ReportPanel } from "./report_panel.js";
 import { SceneView } from "./scene_view.js";
 import { readSession } from "./session_file.js";
 import { SlowWorker } from "./slow_worker.js";
@@ -57,7 +58,7 @@ function start() {
   const moved = () => { motion(); pose(); };
   const goTo = (angles) => { app.player.stop(); app.state.motion = angles; moved(); };
   const sweep = new SweepPanel(app, (request) => slow.ask("sweep", { ...poses.shape(), ...request }), goTo);
-  const limits = new LimitsPanel({ ask: (request) => slow.ask("limits", request), shape: () => poses.shape(), fault,
+  const limits = new LimitsPanel(app, { ask: (request) => slow.ask("limits", request), shape: () => poses.shape(), fault,
     onPose: (along, degrees) => goTo(poseAlong(along, degrees)) });
   const volume = new VolumePanel(app, () => new EngineClient(source, lost));
   const changes = [new CutPanel(app, () => new EngineClient(source, lost), (cut) => { view.setCut(cut); poses.legend(); }),
@@ -82,6 +83,7 @@ function start() {
   const write = keepAddress(app, () => { frame(); begin(); });
   new ExportPanel(app, view, { write, fault, ask: (request) => live.ask("export", { ...request, pose: poses.request() }),
     shown: () => ({ joint: shown, pose: poses.shown, tables: tables.now, limits: limits.rows, name: joints.name() }) });
+  const report = new ReportPanel(app, () => new EngineClient(source, lost), () => joints.name());
   const drag = new FemurDrag(view, (change) => {
     app.player.stop();
     Object.entries(change).forEach(([key, by]) => { app.state.motion[key] = inRange(app.state.motion[key] + by); });
@@ -149,7 +151,7 @@ function start() {
     limits.forget();
     follow({ joint: request });
     measures.again();
-    [volume, ...changes].forEach((panel) => panel.follow(request));
+    [volume, report, ...changes].forEach((panel) => panel.follow(request));
     document.querySelectorAll("[inert]").forEach((part) => { part.inert = false; });
     delete byId("stage").dataset.busy;
   }

@@ -1,15 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In which orientations of the socket required motions are free: a map over inclination and anteversion, and the socket as it is.
+// In which orientations of the socket required motions are free: a map over inclination and anteversion, the socket as it is, and
+// the nearest free orientation. Extent, colours and words are those of the program's orientation.svg (report/orient_picture.cpp).
 import { ChangePanel } from "./change_panel.js";
 import { byId, drawn, keyRow, legWords, roundedDown, roundedUp } from "./elements.js";
 import { MAP, mapLabels } from "./plots.js";
+import { BLOCKED, UNDECIDED, mapColour } from "./volume_panel.js";
 
 const HEIGHT = 312;
 const RESOLUTION = 0.75; // degrees: finer squares are no wider than a line
 const SQUARE = 5; // numbers each: inclination, anteversion, half width, state, and which part of a motion is so
-const STATES = [["free", "#2a6f97"], ["blocked", "#f1e3a0"], ["unknown: the mesh ends", "#c9ccd1"], ["undecided", "#8d949c"]];
+const STATES = [["free", mapColour(90)], ["blocked", mapColour(BLOCKED)], ["the ball's mesh ends", "#f1e3a0"], ["undecided", mapColour(UNDECIDED)]];
 const WORDS = ["All required motions are free", "Blocked", "Not known, since the ball's mesh ends under the socket", "Undecided"];
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }; // degrees of inclination and anteversion
+
+const signed = (angle) => `${angle < 0 ? "" : "+"}${angle.toFixed(1)}`;
+
+/** As below the program's picture. */
+function nearestWords({ nearest_free: nearest }) {
+  if (!nearest) return "no square of the map is free";
+  return `the dot is the nearest free one: ${signed(nearest.inclination_change_deg)}, ${signed(nearest.anteversion_change_deg)}; a turn by ${nearest.turn_deg.toFixed(1)}`;
+}
+
+/** Where to turn it, and how, as the program says it. */
+function turnWords({ nearest_free: nearest }) {
+  if (!nearest?.turn_axis) return "";
+  const least = nearest.at_least_deg < nearest.turn_deg ? `; none is free after less than ${roundedDown(nearest.at_least_deg, 1)}°` : "";
+  return ` Nearest free: inclination ${nearest.inclination_deg.toFixed(1)}°, anteversion ${nearest.anteversion_deg.toFixed(1)}°, by a turn of the socket by `
+    + `${nearest.turn_deg.toFixed(1)}° about the axis ${nearest.turn_axis.map((x) => x.toFixed(3)).join(", ")} of the frame of the meshes${least}.`;
+}
 
 export class OrientationPanel extends ChangePanel {
   constructor(app, open) {
@@ -67,7 +85,7 @@ export class OrientationPanel extends ChangePanel {
   }
 
   draw() {
-    const { squares, map, as_scanned: now, area_deg2: area } = this.found;
+    const { squares, map, as_scanned: now, area_deg2: area, nearest_free: nearest } = this.found;
     const across = (MAP.width - MAP.left - MAP.right) / map.width_deg;
     const up = (HEIGHT - MAP.top - MAP.bottom) / map.width_deg;
     const x = (inclination) => MAP.left + (inclination - map.least_inclination_deg) * across;
@@ -80,11 +98,11 @@ export class OrientationPanel extends ChangePanel {
     const cells = Array.from({ length: squares.length / SQUARE }, (_, k) => drawn("rect", { ...this.rectangle(SQUARE * k), fill: STATES[squares[SQUARE * k + 3]][1] }));
     this.mark = drawn("rect", { class: "mark" });
     byId("orientation-plot").replaceChildren(...cells,
-      ...mapLabels(HEIGHT, { x, y, xs: [0, 30, 60, 90], ys: [-30, 0, 30, 60], xTitle: "inclination, °", yTitle: "anteversion, °" }),
-      drawn("circle", { r: 4, class: "now", cx: x(now.inclination_deg), cy: y(now.anteversion_deg) }), this.mark);
+      ...mapLabels(HEIGHT, { x, y, xs: [0, 15, 30, 45, 60, 75, 90], ys: [-30, -15, 0, 15, 30, 45, 60], xTitle: "inclination, degrees", yTitle: "anteversion, degrees" }),
+      ...[[nearest, "nearest"], [now, "now"]].filter(([at]) => at).map(([at, name]) => drawn("circle", { r: 4, class: name, cx: x(at.inclination_deg), cy: y(at.anteversion_deg) })), this.mark);
     const there = STATES.filter((_, state) => [area.free, area.blocked, area.unknown, area.open][state] > 0);
-    byId("orientation-key").replaceChildren(...there.map(([text, colour]) => keyRow({ colours: [colour], text })));
+    byId("orientation-key").replaceChildren(`the ring is the socket as scanned; ${nearestWords(this.found)}`, ...there.map(([text, colour]) => keyRow({ colours: [colour], text })));
     this.say(`As it is, at inclination ${now.inclination_deg.toFixed(1)}° and anteversion ${now.anteversion_deg.toFixed(1)}°: `
-      + `${now.state === "open" ? "undecided" : now.state}. Free are ${roundedDown(area.free, 0)} to ${roundedUp(area.free + area.open, 0)} of ${map.width_deg ** 2} square degrees.`);
+      + `${now.state === "open" ? "undecided" : now.state}. Free are ${roundedDown(area.free, 0)} to ${roundedUp(area.free + area.open, 0)} of ${map.width_deg ** 2} square degrees.${turnWords(this.found)}`);
   }
 }

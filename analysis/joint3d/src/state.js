@@ -23,6 +23,7 @@ export function firstState() {
     look: { view: "free", drawing: "filled", colours: "levels", shown: ["ball", "socket", "clock", "smallest"],
       camera: null }, // where a reader has turned it to: x, y, z of the camera and of what it looks at, mm, joint frame
     sweep: "flexion",
+    rim: false, // limits of all motions: of the rim alone
     held: false, // the other angles of the pose, while one grows
     required: "flexion=90, internal_rotation=30", // motions that a cut or another orientation is to reach, ";" between them
     clearance: 0.5, // that a cut leaves
@@ -52,6 +53,7 @@ export function toFragment(state) {
   if (state.look.camera) words.set("camera", state.look.camera.map((x) => x.toFixed(1)).join(","));
   words.set("sweep", state.sweep);
   if (state.held) words.set("held", "1");
+  if (state.rim) words.set("rim", "1");
   const first = firstState();
   if (state.required !== first.required) words.set("require", state.required);
   if (state.clearance !== first.clearance) words.set("clearance", short(state.clearance));
@@ -99,6 +101,7 @@ export function fromFragment(fragment) {
   look.camera = numbers(words.get("camera"), 6, 1e4);
   state.sweep = words.get("sweep") ?? state.sweep;
   state.held = words.get("held") === "1";
+  state.rim = words.get("rim") === "1";
   state.required = words.get("require") ?? state.required;
   state.clearance = number(words.get("clearance"), 0.01, 10, state.clearance);
   state.tilt = number(words.get("tilt"), -90, 90, state.tilt);

@@ -98,6 +98,7 @@ export class SweepPanel {
 
   /** Of another joint: what is shown no longer holds. */
   forget() {
+    this.asked += 1; // an answer that is under way is of the joint before
     this.sweep = null;
     byId("sweep-plot").replaceChildren();
     byId("sweep-say").textContent = "Working …";

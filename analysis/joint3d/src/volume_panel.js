@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The motion volume of a joint: what of all its rotations is free, proven. Its map has the squares, colours and words of the
-// program's volume.svg (command/volume_picture.cpp).
+// program's volume.svg (report/volume_picture.cpp).
 import { ApartPanel } from "./apart.js";
 import { byId, drawn, keyRow, roundedDown, roundedUp } from "./elements.js";
 import { MAP, mapLabels } from "./plots.js";
@@ -8,8 +8,11 @@ import { MAP, mapLabels } from "./plots.js";
 const HEIGHT = 250;
 const DARKEST = 120; // degrees of rotation
 const WIDTH = 0.05; // share of all rotations that may stay undecided
-const [BLOCKED, UNDECIDED] = [-1, -2]; // as the library marks such squares
+export const [BLOCKED, UNDECIDED] = [-1, -2]; // as the library marks such squares
 const percent = (share, round) => round(100 * share, 1);
+
+/** How far a volume is of which so many rotations are undecided, and so many may be: the fewer there are, the more work each takes. */
+export const farOf = (open, width) => ({ share: Math.min(Math.log(open) / Math.log(width), 1), words: `${percent(open, roundedUp)} % of all rotations are undecided, ${100 * width} % may be` });
 
 /** Of so many degrees of rotation, or of a mark. */
 export function mapColour(range) {
@@ -44,9 +47,8 @@ export class VolumePanel extends ApartPanel {
     return { width: WIDTH };
   }
 
-  /** The fewer rotations are undecided, the more work each takes. */
   progress(open) {
-    return { share: Math.min(Math.log(open) / Math.log(WIDTH), 1), words: `${percent(open, roundedUp)} % of all rotations are undecided, ${100 * WIDTH} % may be` };
+    return farOf(open, WIDTH);
   }
 
   clear() {

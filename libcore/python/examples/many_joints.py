@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Limits of several joints at once: joints go to other processes whole, so a pool of dask.distributed does as well, here
+"""Limits of ten joints at once: joints go to other processes whole, so a pool of dask.distributed does as well, here
 (many_joints.py dask) or on other machines."""
 import sys
 from concurrent.futures import ProcessPoolExecutor
@@ -23,10 +23,10 @@ def pool(words):
 
 
 def main(words):
-    names = list(impinge.hip_presets())
-    joints = [impinge.Joint.from_hip(name, faces=2000) for name in names]
+    joints = {name: impinge.Joint.from_hip(name, faces=2000) for name in impinge.hip_presets()}
+    joints |= {f"cam of {height} mm": impinge.Joint.from_hip("cam", faces=2000, cam_height=height) for height in (1, 2, 3)}
     with pool(words) as workers:
-        for name, limit in zip(names, workers.map(internal_rotation, joints)):
+        for name, limit in zip(joints, workers.map(internal_rotation, joints.values())):
             print(f"{name}: internal rotation free to {limit:.2f} degrees")
 
 

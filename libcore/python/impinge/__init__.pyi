@@ -169,6 +169,20 @@ class GapsAnswer(TypedDict):
     way: str  # how the gaps were found, and why so
     left_out: list[LeftOut]  # what the question did not need
 
+class PosesAnswerSmallestGap(TypedDict):
+    pose: int  # from 1
+    gap_mm: float  # along a ray (mm)
+    surface: str  # whose vertex it is
+    vertex: int  # its place in the mesh
+    clock: str | None  # on the rim's clock
+
+class PosesAnswer(TypedDict):
+    number_of_poses: int  # rows of poses.csv
+    untracked: int  # of these without numbers
+    touching: int | None  # of these in contact; null if not asked for
+    smallest_gap: PosesAnswerSmallestGap | None  # of all poses; null if there is none or it was not asked for
+    doubt: str | None  # what looks wrong with the poses; null if nothing does
+
 class Motion(TypedDict):
     flexion: float  # of the femur forward; extension is negative (deg)
     abduction: float  # away from the midline; adduction is negative (deg)
@@ -323,6 +337,12 @@ class CertifyAnswer(TypedDict):
     closed: bool  # have all bodies no opening? What is open has no inside
     rounded_deg: float  # by how much the rotations differ from those asked for, at most (deg)
 
+class ReportAnswer(TypedDict):
+    gaps: GapsAnswer  # as `impinge gaps` has it, without bounds and distances
+    limits: LimitsAnswer | None  # as `impinge limits` has it; null if left out
+    volume: VolumeAnswer | None  # as `impinge volume` has it; null if left out
+    measures: MeasureAnswer | None  # as `impinge measure` has it; null if left out
+
 # End of these.
 
 class Volume(VolumeAnswer):
@@ -364,12 +384,16 @@ class Surface:
     def faces(self) -> NDArray[np.uint32]: ...  # (m, 3), places of the corners, as the mesh has them
     @property
     def areas(self) -> NDArray[np.float64]: ...  # (n,), mm^2 of the surface that belong to each vertex
+    @property
+    def clock(self) -> NDArray[np.float64]: ...  # (n,), hours of each vertex on the clock of the socket's rim, as scanned; NaN without one
 
 Poses = ArrayLike | str
 Motions = ArrayLike | str  # as poses: one motion, or several
 Mesh = tuple[ArrayLike, ArrayLike]  # vertices (n, 3) in mm, faces (m, 3)
 Point = Sequence[float] | NDArray[np.float64]
-Marked = str | PathLike[str] | dict[str, Point]  # landmarks
+File = str | PathLike[str]
+Marked = File | dict[str, Point]  # landmarks
+Parts = File | Sequence[File] | dict[str, File | Mesh]  # files, called by their names, or by names
 
 class Joint:
     """A ball-and-socket joint of two meshes in one frame. It may be asked from several threads: gaps() runs at the same
@@ -377,8 +401,8 @@ class Joint:
 
     @staticmethod
     def read(
-        ball: str | PathLike[str],
-        socket: str | PathLike[str],
+        ball: File,
+        socket: File,
         *,
         side: str | None = None,
         axes: str | None = None,
@@ -386,15 +410,21 @@ class Joint:
         landmarks: Marked | None = None,
         keep: str = "all",
         overlap_mm: float = 0.0,
+        ball_part: Parts | None = None,
+        socket_part: Parts | None = None,
+        cartilage_map: File | ArrayLike | None = None,
+        ignore_rest_contact: bool = False,
     ) -> Joint:
-        """PLY, STL, OBJ or OFF, in mm. side: "left" or "right", of the body. axes: where +x, +y and +z point, as "LPS"; what
+        """PLY, STL, OBJ, OFF, VTP or VTK, in mm. side: "left" or "right", of the body. axes: where +x, +y and +z point, as "LPS"; what
         3D Slicer wrote into the headers where it is None, else RAS.
         centre of rotation: (x, y, z) in the frame of the meshes, that of the sphere that fits the ball where it is None.
         landmarks: markups of 3D Slicer (.mrk.json, .fcsv, its table) or a CSV label,x,y,z, mm, with the labels of `impinge --landmarks`; or a
         dict of places by these labels, in the frame of the meshes. They give the frame of the pelvis, and Joint.landmarks
         its tilt; with epicondyles that of the femur too, and the ball is turned to neutral, from which angles are then
         counted. keep: "all", or "largest", of each mesh the piece of the largest area alone. overlap_mm: to this depth
-        along a ray the surfaces may overlap; the ball is taken so much smaller."""
+        along a ray the surfaces may overlap; the ball is taken so much smaller. ignore_rest_contact: by the least tenth of
+        a millimetre with which nothing touches as scanned (Joint.summary["overlap_mm"] has it). ball_part, socket_part: other
+        bone, or an implant, in the same frame. cartilage_map: its thickness by place, a CSV x,y,z,thickness_mm or (n, 4), mm."""
     @staticmethod
     def from_arrays(
         ball: Mesh,
@@ -406,6 +436,10 @@ class Joint:
         landmarks: Marked | None = None,
         keep: str = "all",
         overlap_mm: float = 0.0,
+        ball_part: Parts | None = None,
+        socket_part: Parts | None = None,
+        cartilage_map: File | ArrayLike | None = None,
+        ignore_rest_contact: bool = False,
     ) -> Joint:
         """The same of arrays. Equal points become one."""
     @staticmethod
@@ -427,6 +461,10 @@ class Joint:
     def landmarks(self) -> Landmarks | None: ...  # None where none were given
     @property
     def warnings(self) -> list[str]: ...
+    @property
+    def summary(self) -> dict[str, Any]: ...  # `joint` of the program's documents: meshes, parts, centre, warnings
+    def cartilage_of_scan(self) -> float:
+        """A cartilage_mm that blocks nothing as scanned: the smallest gap there, mm, rounded down to 0.01."""
     def gaps(
         self,
         poses: Poses,
@@ -473,9 +511,16 @@ class Joint:
     def certify(self, pose: Poses | None = ..., motion: str | None = ...) -> Certificate:
         """A proof that a pose or motion is free of contact, or that bones touch, which others can check without this
         program. As `impinge certify`; each argument and key: help()."""
+    def report(
+        self, out: str | PathLike[str], pose: Poses = ..., without: list[Literal["limits", "volume",
+        "measures"]] = ..., width: float = ..., cartilage_mm: float | None = ...
+    ) -> ReportAnswer:
+        """All of a joint on one page: bones coloured by gap, range of motion, rotations, measures, warnings. As
+        `impinge report`; each argument and key: help()."""
     # End of these methods.
     def ask(self, question: str, **request: Any) -> dict[str, Any]:
-        """The answer of `impinge QUESTION --json`: a question by its name, its request as keywords."""
+        """The answer of `impinge QUESTION --json`: a question by its name, its request as keywords. "gaps" has arrays besides,
+        `gap`, `bound` and `distance` (n, 2) by "ball" and "socket", mm; "poses" has `rows`, those of poses.csv."""
     def matrices(self, poses: Poses) -> NDArray[np.float64]:
         """x' = M x of each pose, frame of the meshes, mm; shape (poses, 4, 4)."""
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/report_scene.hpp"
+#include "report/scene.hpp"
 
 #include <bit>
 #include <cstdint>

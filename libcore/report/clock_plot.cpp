@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "command/report_plots.hpp"
-#include "command/report_svg.hpp"
 #include "files/formatted.hpp"
 #include "hip/gap_levels.hpp"
+#include "report/plots.hpp"
+#include "report/svg.hpp"
 
 namespace impinge {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "command/report_clock.hpp"
 #include "joint/document.hpp"
+#include "report/clock.hpp"
 
 namespace impinge {
 

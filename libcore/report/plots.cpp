@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/report_plots.hpp"
+#include "report/plots.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "command/report_svg.hpp"
 #include "files/formatted.hpp"
 #include "hip/named_motion.hpp"
+#include "report/svg.hpp"
 
 namespace impinge {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/map_picture.hpp"
+#include "report/map_picture.hpp"
 
 #include "files/formatted.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/report_page.hpp"
+#include "report/page.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,16 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "command/joint_command.hpp"
-#include "command/report_plots.hpp"
-#include "command/report_svg.hpp"
 #include "files/formatted.hpp"
+#include "report/plots.hpp"
+#include "report/svg.hpp"
 
 namespace impinge {
 
-extern const std::string_view
-    kReportViewer;  // analysis/joint3d/report/viewer.js with what it uses; may be empty
-extern const std::string_view kReportStyle;  // report.css
+extern const std::string_view kReportStyle;  // style.css
 
 namespace {
 
@@ -123,7 +120,7 @@ std::vector<std::string> warnings_of(const ReportParts& parts) {
   if (volume.is_object() && volume["unknown"] > 0.0)
     of_answers.push_back(formatted("Of %.1f %% of all rotations nothing is known: a mesh ends there.",
                                    100.0 * volume["unknown"].get<double>()));
-  if (!has_viewer()) of_answers.push_back("The bones are not drawn: " + viewer_missing() + ".");
+  if (parts.viewer.empty()) of_answers.push_back("The bones are not drawn: " + viewer_missing() + ".");
   const auto at = lines.begin() + static_cast<std::ptrdiff_t>(std::min(parts.doubts, lines.size()));
   lines.insert(at, of_answers.begin(), of_answers.end());
   return lines;
@@ -258,8 +255,8 @@ std::string figure(const char* view, double near, const char* shown, const char*
       view, near, shown, caption);
 }
 
-std::string views_section(const Json& answer) {
-  if (!has_viewer()) return "";
+std::string views_section(const ReportParts& parts) {
+  if (parts.viewer.empty()) return "";
   const char* compass =
       "<svg id=\"compass\" viewBox=\"-44 -44 88 88\" role=\"img\" aria-label=\"R right, L left, A "
       "anterior, P posterior, S superior, I inferior of the patient\"></svg>";
@@ -274,7 +271,7 @@ std::string views_section(const Json& answer) {
           figure("posterior", 0.55, "ball socket smallest", "From behind") +
           figure("lateral", 0.4, "socket clock smallest", "The socket from the side, ball taken away") +
           figure("medial", 0.4, "ball smallest", "The ball from the midline, socket taken away") +
-          "</div>\n" + legend(answer["gaps"]["colours"]) +
+          "</div>\n" + legend(parts.answer["gaps"]["colours"]) +
           paragraph("A gap is the joint space along a ray from the centre of rotation. The dot is the "
                     "smallest one; it is seen through bone."),
       " class=\"wide\"");
@@ -406,8 +403,6 @@ std::string measures_table(const Json& measures) {
 
 }  // namespace
 
-bool has_viewer() { return !kReportViewer.empty(); }
-
 std::string viewer_missing() {
   return "this program was built without analysis/node_modules/three or esbuild; experiments/reproduce "
          "--only joint3d fetches both, then build it again";
@@ -424,25 +419,23 @@ std::string report_page(const ReportParts& parts) {
       "<link rel=\"icon\" href=\"data:,\">\n<title>" +
       escaped(title) + "</title>\n<style>" + std::string(kReportStyle) +
       "</style>\n</head>\n<body>\n<header>\n<h1>" + escaped(title) + "</h1>\n" +
-      paragraph(std::string("impinge ") + kVersion + ", commit " + commit() +
-                ". Lengths in mm, angles in degrees. " + kNotice) +
-      "</header>\n<main>\n";
+      paragraph(parts.program + ". Lengths in mm, angles in degrees. " + kNotice) + "</header>\n<main>\n";
   const auto column = [](const std::string& sections) {
     return "<div class=\"column\">\n" + sections + "</div>\n";
   };
   page += warnings_section(parts) + glance_section(parts.answer) + input_section(parts) +
-          views_section(parts.answer) + column(limits_section(parts) + measures_section(parts)) +
+          views_section(parts) + column(limits_section(parts) + measures_section(parts)) +
           column(clock_section(parts) + volume_section(parts)) + limits_table(parts.answer["limits"]) +
           measures_table(parts.answer["measures"]);
   page += "</main>\n<footer>\n" +
           paragraph(
               "What is proven holds for these two meshes: it does not cover how they differ from the bones, "
-              "nor the error "
-              "of the centre beyond the ranges given. summary.json beside this page has all numbers.") +
+              "nor the error of the centre beyond the ranges given. summary.json, which the program writes "
+              "beside its report, has all numbers.") +
           "</footer>\n";
-  if (has_viewer())
+  if (!parts.viewer.empty())
     page += "<script type=\"application/json\" id=\"scene\">" + script_text(parts.scene.dump()) +
-            "</script>\n<script>" + script_text(kReportViewer) + "</script>\n";
+            "</script>\n<script>" + script_text(parts.viewer) + "</script>\n";
   return page + "</body>\n</html>\n";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/report_clock.hpp"
+#include "report/clock.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "joint/document.hpp"
+#include "joint/joint_document.hpp"
+#include "joint/report.hpp"
 
 namespace impinge {
 
@@ -22,13 +25,20 @@ struct ReportParts {
   std::string limits{};
   std::string volume{};
   std::string measures{};
+  std::string program{};      // that makes it, as "impinge 0.3.0, commit 01234567"
+  std::string_view viewer{};  // kReportViewer; without it no bones are drawn
 };
+
+/// Of an answer about the joint: all but who makes the page, and with what.
+ReportParts report_parts(const SessionJoint& joint, const JointNames& names, const ReportRequest& request,
+                         const ReportAnswer& found);
 
 std::string report_page(const ReportParts& parts);
 
-/// Whether this program holds the viewer that draws the bones.
-bool has_viewer();
-/// What to do where it does not, one clause.
+/// The script that draws the bones (analysis/joint3d/report/viewer.js with what it uses). Empty where it
+/// could not be made; not there at all in WebAssembly, where the page has it.
+extern const std::string_view kReportViewer;
+/// What to do where it is empty, one clause.
 std::string viewer_missing();
 
 }  // namespace impinge

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/orient_picture.hpp"
+#include "report/orient_picture.hpp"
 
 #include <array>
 
-#include "command/map_picture.hpp"
 #include "files/formatted.hpp"
+#include "report/map_picture.hpp"
 
 namespace impinge {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/volume_picture.hpp"
+#include "report/volume_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
 
-#include "command/map_picture.hpp"
 #include "hip/motion.hpp"
 #include "joint/volume_map.hpp"
+#include "report/map_picture.hpp"
 
 namespace impinge {
 namespace {
