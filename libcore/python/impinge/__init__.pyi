@@ -231,6 +231,8 @@ class VolumeAnswerMotion(TypedDict):
 class VolumeAnswer(TypedDict):
     share_low: float  # of all rotations that is free, at least
     share_high: float  # at most
+    mobility_low_deg3: float  # volume that is free in Euler angles, weighted by the cosine of the middle one, whatever the axes (Manafzadeh and Gatesy 2020); of 14,851,066 in all, at least (deg^3)
+    mobility_high_deg3: float  # at most (deg^3)
     reachable_low: float  # share that is reached from the pose of the scan without contact, at least
     reachable_high: float  # at most
     neutral_blocked: bool  # is the pose of the scan?
