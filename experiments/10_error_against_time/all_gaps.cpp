@@ -171,6 +171,7 @@ std::function<void()> one_after_one(const Work& work) {
   for (std::size_t k = 0; k < kAlone; ++k)
     alone->emplace_back(std::vector{points[k * points.size() / kAlone]});
   std::vector<Pose> poses;
+  poses.reserve(kAlone);
   for (int turn = 0; turn < static_cast<int>(kAlone); ++turn) poses.push_back(motion_pose(work.axis, turn));
   auto scratch = std::make_shared<GapScratch>();
   return [work, alone, poses = std::move(poses), scratch] {

@@ -196,6 +196,7 @@ void add_touch_times(const TurnedJoint& joint, const TouchPlan& plan, const Timi
                                                         {"by up to 60 degrees", turned_by_up_to(kNearRest)},
                                                         {"near a limit", near_limits(joint)}};
   std::vector<Sorted> poses;
+  poses.reserve(kinds.size());
   for (const auto& [kind, draw] : kinds) poses.push_back(sorted(joint, *bodies, exact, draw, plan));
   std::vector<TimedCase> cases;
   std::vector<std::size_t> otherwise;

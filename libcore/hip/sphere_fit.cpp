@@ -14,7 +14,6 @@ constexpr int kMostSteps = 100;
 constexpr double kConverged = 1e-13;  // last step, as a share of the radius
 constexpr double kSettled = 1e-6;     // a last step above this has found nothing
 constexpr double kFlat = 1e-10;       // smallest over largest variance of points in a plane
-constexpr int kMostRefinements = 50;
 
 struct Weighted {
   std::span<const Vec3> points;

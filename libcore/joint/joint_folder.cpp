@@ -62,6 +62,7 @@ std::vector<fs::path> files_of(const Json& given, std::string_view key, const fs
   std::vector<std::string> names;
   read_json(given, key, {}, names);
   std::vector<fs::path> files;
+  files.reserve(names.size());
   for (const std::string& name : names) files.push_back(folder / name);
   return files;
 }

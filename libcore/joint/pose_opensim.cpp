@@ -66,7 +66,7 @@ class Labels {
   // The words of the next row; none behind the last.
   std::vector<std::string_view> next_row() const {
     if (!lines_.next()) return {};
-    const std::vector<std::string_view> words = blank_words(lines_.line());
+    std::vector<std::string_view> words = blank_words(lines_.line());
     lines_.require_words(words.size(), labels_.size());
     return words;
   }

@@ -431,10 +431,15 @@ async function cancelled(page) {
 
 /** What a panel works out can be cancelled and taken up again. */
 async function halted(page, id) {
-  const press = () => page.evaluate((panel) => document.getElementById(`${panel}-cancel`).click(), id); // at once: before it is done
-  await press();
+  const press = (words) => page.waitForFunction(([panel, wanted]) => { // in the page: it is pressed before the work is done
+    const button = document.getElementById(`${panel}-cancel`);
+    const there = !button.parentElement.hidden && button.textContent === wanted;
+    if (there) button.click();
+    return there;
+  }, [id, words]);
+  await press("Cancel");
   assert.match(await page.textContent(`#${id} .working`), /Cancelled\.Work it out$/);
-  await press();
+  await press("Work it out");
   assert.match(await page.textContent(`#${id} .working`), /^\d+ s.*Cancel$/);
 }
 
