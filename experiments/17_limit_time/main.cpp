@@ -3,7 +3,7 @@
 // @writes    limit_time limit_time_samples touch_time touch_time_samples
 // @bones     yes
 // @timing    yes
-// @seconds   36 1300
+// @seconds   30 1300
 // @links     harness real_joints hip change phantoms method_cgal steps_methods
 //
 // The limits of the named motions of a generated hip, of a replaced one and of real joints with whole bones,
@@ -28,7 +28,7 @@ using namespace impinge::lab;
 // Of ball and socket together.
 constexpr std::size_t kHipFacesInQuick = 6000;
 constexpr std::size_t kHipFacesInFull = 24000;
-constexpr std::size_t kImplantFacesInQuick = 12000;
+constexpr std::size_t kImplantFacesInQuick = 8000;
 constexpr std::size_t kImplantFacesInFull = 119000;
 
 void body(DriverRun& run) {
@@ -41,7 +41,7 @@ void body(DriverRun& run) {
   if (run.quick()) of_implant.steps_deg.pop_back();
   TouchPlan poses;
   poses.seed = run.record.seed;
-  if (run.quick()) poses = {.poses = 40, .rounds = 5, .seed = run.record.seed};
+  if (run.quick()) poses = {.poses = 10, .rounds = 3, .seed = run.record.seed};
   const auto add = [&](const TurnedJoint& joint, const LimitPlan& so) {
     add_limit_times(joint, so, found, run.progress);
   };
