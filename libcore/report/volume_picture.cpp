@@ -25,6 +25,11 @@ std::string colour(const MotionVolume& volume, const Motion& pose, Side side) {
   return std::string(state == CellState::blocked ? kMapBlocked : kMapUndecided);
 }
 
+void add_ranges(MapPicture& picture) {
+  for (int k = 0; k <= 4; ++k)
+    picture.key(2, 22 * k, shade(30.0 * k), std::to_string(30 * k) + (k == 4 ? "+" : ""));
+}
+
 // Degrees of rotation about the femur's axis that are free, of 360.
 int free_rotations(const MotionVolume& volume, Motion pose, Side side) {
   int free = 0;
@@ -54,8 +59,7 @@ std::string volume_picture(const MotionVolume& volume, Side side) {
   picture.mark(0.0, 0.0, true);
   picture.words(0, "flexion, degrees; the ring is the neutral pose");
   picture.words(1, "rotation without contact, internal and external together, degrees:");
-  for (int k = 0; k <= 4; ++k)
-    picture.key(2, 22 * k, shade(30.0 * k), std::to_string(30 * k) + (k == 4 ? "+" : ""));
+  add_ranges(picture);
   picture.key(2, 117, kMapBlocked, "blocked");
   picture.key(2, 153, kMapUndecided, "undecided");
   return picture.finished();
@@ -82,8 +86,7 @@ std::string mobility_picture(const MotionVolume& volume, Side side) {
   picture.mark(0.0, 0.0, true);
   picture.words(0, "flexion times the cosine of the abduction, degrees; the ring is the neutral pose");
   picture.words(1, "certainly without contact, of all 360 degrees of rotation about the femur's axis:");
-  for (int k = 0; k <= 4; ++k)
-    picture.key(2, 22 * k, shade(30.0 * k), std::to_string(30 * k) + (k == 4 ? "+" : ""));
+  add_ranges(picture);
   picture.key(2, 117, kMapBlocked, "none");
   return picture.finished();
 }
