@@ -54,7 +54,7 @@ Draw turned_by_up_to(double most_deg) {
   };
 }
 
-// Beside the limits of the named motions that have one.
+// Beside the limits of the named motions that have one; empty where none has.
 Draw near_limits(const TurnedJoint& joint) {
   struct Limit {
     JointTurn turn;
@@ -68,6 +68,7 @@ Draw near_limits(const TurnedJoint& joint) {
     const TurnLimit limit = limits.first_contact(turn, largest_growth(motion.start, growing));
     if (limit.state == LimitState::limited) found.push_back({turn, limit.high_deg});
   }
+  if (found.empty()) return {};
   return [found](std::mt19937_64& engine) {
     const Limit& at = found[std::uniform_int_distribution<std::size_t>(0, found.size() - 1)(engine)];
     const double deg = at.deg + std::uniform_real_distribution<double>(-kNearLimit, kNearLimit)(engine);
@@ -197,7 +198,8 @@ void add_touch_times(const TurnedJoint& joint, const TouchPlan& plan, const Timi
                                                         {"near a limit", near_limits(joint)}};
   std::vector<Sorted> poses;
   poses.reserve(kinds.size());
-  for (const auto& [kind, draw] : kinds) poses.push_back(sorted(joint, *bodies, exact, draw, plan));
+  for (const auto& [kind, draw] : kinds)
+    poses.push_back(draw ? sorted(joint, *bodies, exact, draw, plan) : Sorted{});
   std::vector<TimedCase> cases;
   std::vector<std::size_t> otherwise;
   for (std::size_t k = 0; k < kinds.size(); ++k) {
