@@ -8,8 +8,8 @@ from pathlib import Path
 
 import common
 from common.jobs import Job
-from report.artefacts import title_of
-from report.markup import element
+from report.artefacts import heading
+from report.markup import element, fold
 
 
 def seconds(job: Job, maker: dict[str, Job], seen: set[str]) -> float:
@@ -37,19 +37,18 @@ def section(jobs: list[Job], kept: Path) -> str:
     for job in jobs:
         if job.kind not in ("table", "figure") or not (verdicts := expected(job, kept)):
             continue
-        cells = (
-            element("a", title_of(job.name), href=f"#{job.name}") + "<br>" + html.escape(job.question),
-            element("code", f"experiments/reproduce --only {job.name}"),
-            f"{seconds(job, maker, set()) / 60:.1f}",
-            verdicts,
-        )
-        rows += element("tr", "".join(element("td", cell) for cell in cells))
+        cells = {
+            "claim": element("a", html.escape(heading(job)), href=f"#{job.name}"),
+            "command": element("code", f"experiments/reproduce --only {job.name}"),
+            "minutes": f"{seconds(job, maker, set()) / 60:.1f}",
+            "expected": verdicts,
+        }
+        rows += element("tr", "".join(element("td", cell, data_title=title) for title, cell in cells.items()))
     head = "".join(element("th", title, scope="col") for title in ("claim", "command", "minutes", "expected"))
-    table = element("table", element("thead", element("tr", head)) + element("tbody", rows))
-    return (
-        element("h2", "To check a claim", id="claims")
-        + element("p", "Minutes: time budget of the quick profile on two cores, after the build, with no earlier results."
-                       " Expected: the verdicts of the reference run. What the library calls proven, theorem by theorem, with"
-                       " the tests that attack it: " + element("code", "paper/claims.md") + ".")
-        + element("div", table, class_="scroll")
+    table = element("table", element("thead", element("tr", head)) + element("tbody", rows), class_="cards")
+    about = (
+        "Each command, from a clone of the project, measures again what the table or figure needs, and nothing else. Minutes: time budget"
+        " of the quick profile on two cores, after the build, with no earlier results. Expected: the verdicts of the reference run. What is"
+        " called proven, theorem by theorem, with the tests that attack it: " + element("code", "paper/claims.md") + "."
     )
+    return fold("Check a claim", element("p", about) + element("div", table, class_="scroll"), "claims", "a command, its minutes and what to expect")

@@ -3,49 +3,59 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pandas as pd
 
 from report import reference
-from report.markup import cell, element
+from report.markup import cell, element, words
 
 SCROLLED = 25  # rows above which a table gets a window of its own
 MOST = 150  # rows in the page: the rest is in the file
 
 
-def grid(table: pd.DataFrame, kept: pd.DataFrame | None) -> str:
-    """The rows; kept has the same shape."""
-    head = element("tr", "".join(element("th", name.replace("_", " "), scope="col") for name in table.columns))
+def grid(table: pd.DataFrame, kept: pd.DataFrame | None, units: dict[str, str] = {}, cards: bool = False) -> str:
+    """The rows; kept has the same shape. On a phone a row of cards is a card, and of other tables a line that scrolls."""
+    titles = [words(name, units.get(name, "")) for name in table.columns]
+    head = element("tr", "".join(element("th", title, scope="col") for title in titles))
     older = kept.itertuples(index=False) if kept is not None else [None] * len(table)
     body = "".join(
-        element("tr", "".join(cell(value, shorten=True, kept=old) for value, old in zip(row, was or row)))
+        element("tr", "".join(cell(value, title if cards else "", shorten=True, kept=old) for value, old, title in zip(row, was or row, titles)))
         for row, was in zip(table.head(MOST).itertuples(index=False), older)
     )
-    style = "scroll long" if len(table) > SCROLLED else "scroll"
-    inner = element("table", element("thead", head) + element("tbody", body))
+    style = "scroll long" if len(table) > SCROLLED and not cards else "scroll"
+    inner = element("table", element("thead", head) + element("tbody", body), **({"class_": "cards"} if cards else {}))
     return element("div", inner, class_=style, tabindex="0")
 
 
 def remark(path: Path, table: pd.DataFrame, kept: pd.DataFrame | None) -> str:
     """What stands below the rows."""
-    words = []
+    said = []
     if len(table) > MOST:
-        words.append(f"The first {MOST} of {len(table):,} rows; all are in tables/{path.name}.")
+        said.append(f"The first {MOST} of {len(table):,} rows; all are in tables/{path.name}.")
     if kept is not None and table.equals(kept):
-        words.append("The reference run has the same values.")
+        said.append("The reference run has the same values.")
     elif kept is not None and reference.aligned(table, kept):
-        words.append("Grey: the reference run's value, where it differs.")
+        said.append("Grey: the reference run's value, where it differs.")
     elif kept is not None and max(len(table), len(kept)) > MOST:
-        words.append(f"The reference run's, with other rows, is results/reference/tables/{path.name}.")
-    return element("p", " ".join(words), class_="soft") if words else ""
+        said.append(f"The reference run's, with other rows, is results/reference/tables/{path.name}.")
+    return element("p", " ".join(said), class_="soft") if said else ""
+
+
+def units_of(path: Path) -> dict[str, str]:
+    """The unit of each column, from the table's sidecar."""
+    sidecar = path.with_suffix(".json")
+    columns = json.loads(sidecar.read_text())["columns"] if sidecar.is_file() else []
+    return {column["name"]: column["unit"] for column in columns}
 
 
 def section(path: Path, folder: Path) -> str:
     """A CSV of this run beside the reference's in that folder."""
     table, kept = reference.beside(path, folder)
     together = kept is not None and reference.aligned(table, kept)
-    shown = grid(table, kept if together else None) + remark(path, table, kept)
+    units = units_of(path)
+    shown = grid(table, kept if together else None, units) + remark(path, table, kept)
     if kept is not None and not together and max(len(table), len(kept)) <= MOST:
-        shown += element("details", element("summary", "The reference run's table") + grid(kept, None))
+        shown += element("details", element("summary", "The reference run's table") + grid(kept, None, units))
     return shown

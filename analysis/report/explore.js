@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error against cost of every method: scene and axes by choice, lines by the legend (Plotly).
+// Error against cost of every method: scene and axes by choice, lines by the legend (Plotly). It is drawn once its part of the page is open.
 "use strict";
 {
   const lines = JSON.parse(document.getElementById("explore-data").textContent);
@@ -46,6 +46,8 @@
   }
 
   Object.values(chosen).forEach((select) => select.addEventListener("change", draw));
-  narrow.addEventListener("change", draw);
-  draw();
+  const part = document.getElementById("explore");
+  const drawIfOpen = () => { if (part.open) draw(); };
+  narrow.addEventListener("change", drawIfOpen);
+  part.addEventListener("toggle", drawIfOpen);
 }

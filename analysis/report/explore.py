@@ -57,7 +57,6 @@ def section(results: Path) -> str:
     scenes = {name: name.replace("_", " ") for name in [first, *(s for s in table.scene.unique() if s != first)]}
     shown = lines(table[pareto.competes(table)])
     return (
-        '<h2 id="explore">Error against cost, to explore</h2>'
         "<p>Lower left is better. Click a name to hide its line, double-click to show it alone; point at a marker for its"
         " numbers; drag to zoom, double-click the plot to see everything, exact methods too."
         " Only methods that give the radius along a direction are shown.</p>"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The part of the report with the verdicts: how many of each, and every one with its rule; report.js filters them."""
+"""The part of the report with every verdict, by the rule that gave it; report.js filters them."""
 
 from __future__ import annotations
 
@@ -7,62 +7,46 @@ import html
 
 import pandas as pd
 
-from common import tally
+from common.tally import NOT_COUNTED
 from report.artefacts import row_label, title_of
-from report.markup import cell, choice, element
-from verdicts import verdict
+from report.markup import cell, choice, digits, element, fold, words
 
 MARKS = {"reproduced": "✓", "differs": "≠", "inconclusive": "?", "thesis-misprint": "!", "not-comparable": "–", "input": "·"}
 MEANINGS = {
-    "reproduced": "meets the rule",
-    "differs": "does not meet the rule",
-    "inconclusive": "a part of its range meets the rule",
+    "reproduced": "meets its rule",
+    "differs": "does not meet it",
+    "inconclusive": "a part of its range does",
     "thesis-misprint": "wrong in the thesis",
     "not-comparable": "of another machine or patient",
     "input": "given, not computed",
 }
-KINDS = {"computed": "Computed from formulas", "measured": "Measured", "given": "Given by the thesis"}
-HEADS = {"measured": "this run", "reference": "reference run", "row": "row or case", "artefact": "where"}
+COLUMNS = {
+    "where": "where", "row": "row or case", "column": "column", "thesis": "thesis", "measured": "this run", "range": "its range",
+    "reference": "reference run", "unit": "unit",
+}  # fmt: skip
+ROUNDED = ("measured", "range", "reference")
+UNCOUNTED = "Not counted, because another table has the number or the thesis gives none"
 
 
 def section(verdicts: pd.DataFrame, places: set[str]) -> str:
     """All of it; places: what the page has a section of."""
-    return "\n".join(
-        [
-            element("h2", "Verdicts", id="verdicts-title"),
-            totals(verdicts),
-            filters(verdicts),
-            verdict_table(verdicts, places),
-        ]
-    )
+    verdicts = verdicts.assign(range=[" to ".join(filter(None, ends)) for ends in zip(verdicts.low.map(digits), verdicts.high.map(digits))])
+    names = [name for name in COLUMNS if name in verdicts or name == "where"]
+    titles = [*(COLUMNS[name] for name in names), "verdict", "why"]
+    head = element("thead", element("tr", "".join(element("th", title, scope="col") for title in titles)))
+    groups = "".join(group(rule, rows, names, places) for rule, rows in by_rule(verdicts).items())
+    table = element("div", element("table", head + groups, id="verdicts", class_="cards"), class_="scroll")
+    return fold("Every verdict, by its rule", filters(verdicts) + table, "verdicts-all", f"{len(verdicts)} rows")
 
 
-def totals(verdicts: pd.DataFrame) -> str:
-    """How often each verdict was given, each number of the thesis once: what was computed, and what was measured."""
-    left_out = len(verdicts) - len(verdict.counted(verdicts))
-    said = f"{left_out} more rows are not counted: another table has their number, or the thesis has none (see the rule)."
-    parts = [element("p", said, class_="soft")]
-    for kind, found in tally.counts(verdicts.to_dict("records")).items():
-        parts += [element("h3", KINDS[kind]), tiles(found)] if found else []
-    return "".join(parts)
-
-
-def tiles(found: dict[str, int]) -> str:
-    """One for each verdict."""
-    return element(
-        "ul",
-        "".join(
-            element(
-                "li",
-                f"<b>{found[name]}</b> "
-                + element("span", name, class_=f"verdict {name}", data_mark=MARKS[name])
-                + f'<br><span class="soft">{MEANINGS[name]}</span>',
-            )
-            for name in MARKS
-            if name in found
-        ),
-        class_="totals",
-    )
+def by_rule(verdicts: pd.DataFrame) -> dict[str, list[dict[str, str]]]:
+    """The rows under each rule with its tolerance, the rules with most rows first, and what is not counted last."""
+    found: dict[str, list[dict[str, str]]] = {}
+    for row in verdicts.to_dict("records"):
+        tolerance = f" ({row['tolerance']})" if row["tolerance"] not in ("", "none") else ""
+        left_out = row["rule"].startswith(NOT_COUNTED)
+        found.setdefault(UNCOUNTED if left_out else f"Rule: {row['rule']}{tolerance}", []).append(row)
+    return dict(sorted(found.items(), key=lambda item: (item[0] == UNCOUNTED, -len(item[1]))))
 
 
 def filters(verdicts: pd.DataFrame) -> str:
@@ -71,46 +55,32 @@ def filters(verdicts: pd.DataFrame) -> str:
     return element(
         "div",
         choice("filter-artefact", "Where", {"": "all"} | {name: title_of(name) for name in verdicts.artefact.unique()})
-        + choice("filter-verdict", "Verdict", {"": "all"} | {name: name for name in MARKS if name in found})
+        + choice("filter-verdict", "Verdict", {"": "all"} | {name: f"{name}: {MEANINGS[name]}" for name in MARKS if name in found})
         + '<label>Text<input id="filter-text" type="search"></label><span class="soft" id="count"></span>',
         class_="filters",
     )
 
 
-def explanation(row: dict[str, str]) -> str:
-    """The rule of a verdict with its tolerance, and what is to be said of this one."""
-    tolerance = f" ({row['tolerance']})" if row["tolerance"] not in ("", "none") else ""
-    note = element("strong", html.escape(row["note"]) + ". ") if row["note"] else ""
-    return element("td", note + html.escape(f"Rule: {row['rule']}{tolerance}."), class_="why")
-
-
-def verdict_table(verdicts: pd.DataFrame, places: set[str]) -> str:
-    """Every row, with what the filters need."""
-    names = [
-        name
-        for name in ("artefact", "row", "column", "thesis", "measured", "low", "high", "reference", "unit")
-        if name in verdicts
-    ]
-    titles = [*(HEADS.get(name, name) for name in names), "verdict", "why"]
-    head = element("thead", element("tr", "".join(element("th", title, scope="col") for title in titles)))
-    rows = "".join(verdict_row(row, names, places) for row in verdicts.to_dict("records"))
-    return element("div", element("table", head + element("tbody", rows), id="verdicts"), class_="scroll")
+def group(rule: str, rows: list[dict[str, str]], names: list[str], places: set[str]) -> str:
+    """A rule, and the rows that it judges."""
+    head = element("th", html.escape(rule), colspan=str(len(names) + 2), scope="rowgroup")
+    return element("tbody", element("tr", head, class_="rule") + "".join(verdict_row(row, names, places) for row in rows))
 
 
 def verdict_row(row: dict[str, str], names: list[str], places: set[str]) -> str:
-    """Its values, its verdict (and the reference run's where that is another), and why."""
+    """Its values, its verdict (and the reference run's where that is another), and what is to be said of it."""
     where = html.escape(title_of(row["artefact"]))
     if row["artefact"] in places:
         where = element("a", where, href=f"#{row['artefact']}")
     cells = [element("td", where, data_title="where")]
     for name in names[1:]:
-        rounded = name in ("measured", "low", "high", "reference")
-        text = row_label(row[name]) if name == "row" else row[name]
-        cells.append(cell(text, title=HEADS.get(name, name), name=name == "row", shorten=rounded))
-    found = row["verdict"]
+        text = row_label(row[name]) if name == "row" else words(row[name]) if name == "column" else row[name]
+        cells.append(cell(text, title=COLUMNS[name], name=name in ("row", "column"), shorten=name in ROUNDED))
+    counted, found = not row["rule"].startswith(NOT_COUNTED), row["verdict"]
     other = row.get("verdict_reference", "")
-    remark = element("span", f"reference: {other}", class_="kept") if other else ""
-    inner = html.escape(found) + ("<br>" + remark if remark else "")
-    mark = MARKS.get(found, "")
-    cells.append(element("td", inner, class_=f"verdict {found}", data_mark=mark, data_title="verdict"))
-    return element("tr", "".join(cells) + explanation(row), data_artefact=row["artefact"], data_verdict=found)
+    inner = html.escape(found) + ("<br>" + element("span", f"reference: {other}", class_="kept") if other else "")
+    looks = f"verdict {found}" if counted else "verdict input"
+    cells.append(element("td", inner, class_=looks, data_mark=MARKS.get(found, "") if counted else MARKS["input"], data_title="verdict"))
+    why = row["note"] if counted else row["rule"].removeprefix(NOT_COUNTED) + (f". {row['note']}" if row["note"] else "")
+    cells.append(element("td", html.escape(why), class_="why"))
+    return element("tr", "".join(cells), data_artefact=row["artefact"], data_verdict=found)

@@ -9,6 +9,18 @@ import math
 import re
 
 import common
+from common.wording import LABELS
+
+# Words of columns of tables/NAME.csv that are no words of a reader, and the signs of units.
+NAMES = {
+    "measured": "here", "iqr": "spread (IQR)", "rsid": "RSID", "usid": "USID", "rapid": "RAPID", "lut entries": "entries", "fcl": "FCL", "mcewen wiaux": "McEwen and Wiaux",
+    "driscoll healy": "Driscoll and Healy", "patient a": "patient A", "patient b": "patient B", "stand in": "stand-in", "rms": "RMS",
+    "p99": "99th percentile", "p9999": "99.99th percentile", "eq16": "Eq. 16", "cpu": "processor time", "i": "ray",
+}  # fmt: skip
+SIGNS = {
+    "deg": "°", "mm": "mm", "mm2": "mm²", "mm3": "mm³", "um": "µm", "nm": "nm", "s": "s", "ms": "ms", "us": "µs", "ns": "ns", "mib": "MiB",
+    "MiB": "MiB", "KiB": "KiB", "MB": "MB", "kB": "kB", "bytes": "bytes", "percent": "%", "hours": "h", "mpa": "MPa",
+}  # fmt: skip
 
 
 def element(tag: str, inner: str, **attributes: str) -> str:
@@ -17,6 +29,13 @@ def element(tag: str, inner: str, **attributes: str) -> str:
         f' {key.rstrip("_").replace("_", "-")}="{html.escape(value)}"' for key, value in attributes.items()
     )
     return f"<{tag}{words}>{inner}</{tag}>"
+
+
+def fold(title: str, inner: str, name: str = "", remark: str = "") -> str:
+    """A part of the page that opens at its heading; the remark stands beside it."""
+    beside = " " + element("span", html.escape(remark), class_="soft") if remark else ""
+    attributes = {"id": name} if name else {}
+    return element("details", element("summary", element("h2", html.escape(title)) + beside) + inner, class_="part", **attributes)
 
 
 def choice(name: str, title: str, options: dict[str, str]) -> str:
@@ -32,17 +51,38 @@ def data_script(name: str, value: object) -> str:
     return f'<script type="application/json" id="{name}">{text}</script>'
 
 
+def words(name: str, unit: str = "") -> str:
+    """What a reader calls a column: "iqr_ms" is "spread (IQR), ms". Its unit is the last word that names one, or `unit`."""
+    parts = name.replace("_", " ").split()
+    found = [part for part in parts if part in SIGNS]
+    sign = SIGNS[found[-1]] if found else SIGNS.get(unit, "")
+    said = " ".join(part for part in parts if not found or part != found[-1])
+    for word, text in NAMES.items():
+        said = re.sub(rf"(?<!\w){word}(?!\w)", text, said)
+    return ", ".join(part for part in (said, sign) if part)
+
+
+def readable(value: str) -> str:
+    """What a reader calls the name in a cell: "rsid_thesis" is "RSID, raster of the thesis"."""
+    return common.label(value) if re.fullmatch(r"[a-z0-9]+(_[a-z0-9]+)+", value) or value in LABELS else value
+
+
 def written(value: str, shorten: bool, name: bool = False) -> tuple[str, bool]:
     """HTML of a value, and whether it is a number; of long numbers four digits where that is asked for."""
     try:
         number = float("" if name else value)
     except ValueError:
-        return html.escape(value), False
-    if re.fullmatch(r"\d{4,}(\.0)?", value):
+        return html.escape(readable(value) if shorten else value), False
+    if re.fullmatch(r"\d{4,12}(\.0)?", value):
         return f"{number:,.0f}", True
     if not shorten or len(value) <= 7 or not math.isfinite(number):
         return html.escape(value.removesuffix(".0") if shorten else value), True
-    return (f"{number:.3g}" if abs(number) < 1e-5 else common.digits(number, 4)), True
+    return (f"{number:.3g}" if not 1e-5 <= abs(number) < 1e12 else common.digits(number, 4)), True
+
+
+def digits(value: str) -> str:
+    """A number of a CSV in the digits of a reader, as text."""
+    return html.unescape(written(value, shorten=True)[0])
 
 
 def cell(value: str, title: str = "", shorten: bool = False, name: bool = False, kept: str | None = None) -> str:

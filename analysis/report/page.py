@@ -15,24 +15,25 @@ What is shown is what the graph declares (jobs.json): a new table or figure appe
 from __future__ import annotations
 
 import html
+import os
 from pathlib import Path
 
 import common
 from common.jobs import Job
-from report import claims, explore, judged, outcome, picture, reference, section, turn
-from report.artefacts import load_jobs, place, title_of
-from report.markup import element
+from report import claims, explore, judged, origins, outcome, picture, reference, section, turn
+from report.artefacts import by_topic, load_jobs, repeats
+from report.markup import element, fold
 
 HERE = Path(__file__).resolve().parent
+SOURCE = HERE.parent.parent
 PLOTLY = HERE.parent / "node_modules" / "plotly.js-basic-dist-min" / "plotly-basic.min.js"
-REFERENCE = HERE.parent.parent / "results" / "reference"
+REFERENCE = SOURCE / "results" / "reference"
+TITLE = "impinge: gaps, contact and range of motion of ball-and-socket joints"
 ABOUT = (
-    "How far apart are the two bones of a joint in a pose, and where do they touch? A thesis of about 2009, <cite>Rapid"
-    " Impingement Detection Systems for Ball-and-Socket Joints</cite>, answers by looking up each vertex of one surface in a"
-    " table of the other's distance from the centre of rotation, by direction: on a grid of angles (RSID) or along a helix"
-    " (USID). Here all of its tables and figures are computed again, each number gets a verdict, and errors, times and limits"
-    " are measured beyond it. Below each table and figure stand the command that makes it again and where its data come"
-    " from; a click makes a figure larger. Research software, not a medical device."
+    "From two triangle meshes of a joint, such as femur and pelvis, impinge works out the gap (the joint space along a ray from the"
+    " centre of rotation) at every vertex, whether and where bones touch, and how far the joint turns before they do. A thesis of about 2009,"
+    " <cite>Rapid Impingement Detection Systems for Ball-and-Socket Joints</cite>, did so by tables of radii by direction: on a grid"
+    " of angles (RSID) or along a helix (USID). Here its tables and figures are measured again, and errors, times and limits beyond it."
 )
 
 
@@ -52,56 +53,26 @@ def provenance(results: Path, jobs: list[Job], kept: Path) -> str:
     return where
 
 
-def heading(results: Path, jobs: list[Job], kept: Path) -> str:
-    """Title, what the page is, which machine and profile this is, and what is in it."""
-    return (
-        element("h1", "Impingement of ball-and-socket joints: the thesis, reproduced")
-        + element("p", ABOUT)
-        + element("p", html.escape(provenance(results, jobs, kept)), class_="soft")
-        + contents(jobs)
-    )
-
-
-def contents(jobs: list[Job]) -> str:
-    """Links to every table and figure, folded by where they belong."""
+def heading(results: Path, jobs: list[Job]) -> str:
+    """Title, what it is about, and the pages beside this one."""
     names = {job.name for job in jobs}
-    groups: dict[str, list[str]] = {
-        title: []
-        for title in ("The thesis' tables", "The thesis' figures", "Beyond the thesis", "Real joints")
-    }
-    for job in jobs:
-        if job.kind not in ("table", "figure"):
-            continue
-        if repeats(job, names):
-            title = "Real joints"
-        elif place(job) == (1,):
-            title = "Beyond the thesis"
-        else:
-            title = "The thesis' figures" if job.name.startswith("figure") else "The thesis' tables"
-        groups[title].append(element("a", title_of(job.name), href=f"#{job.name}"))
-    return element(
-        "nav",
-        element("a", "What came out", href="#outcome")
-        + element("a", "Verdicts", href="#verdicts-title")
-        + element("a", "Error against cost", href="#explore")
-        + (element("a", "A joint to turn", href="#turn") if "joint3d" in names else "")
-        + "".join(
-            element("details", element("summary", f"{title} ({len(links)})") + " ".join(links))
-            for title, links in groups.items()
-            if links
-        ),
+    links = {"The paper (PDF)": "paper.pdf"}
+    links |= {"Joint3D: move a joint": "joint3d.html"} if "joint3d" in names else {}
+    links |= {"README": os.path.relpath(SOURCE / "README.md", results), "All verdicts (CSV)": "verdicts.csv"}
+    return (
+        element("h1", TITLE)
+        + element("p", ABOUT)
+        + element("nav", "".join(element("a", title, href=file) for title, file in links.items()))
     )
 
 
-def repeats(job: Job, names: set[str]) -> bool:
-    """Whether it shows one more real joint in a figure or table that the page has anyway."""
-    base, _, joint = job.name.rpartition("-")
-    return f"scene-{joint}" in names and base in names
-
-
-def artefact(results: Path, job: Job, kept: Path, names: set[str]) -> str:
-    """The part of a table or figure. Repeats are linked, so that the page stays small."""
-    return section.section(results, job, kept, linked=repeats(job, names))
+def topics(results: Path, jobs: list[Job]) -> list[str]:
+    """The tables and figures, folded by what they are about. Repeats are linked, so that the page stays small."""
+    names = {job.name for job in jobs}
+    return [
+        fold(title, "".join(section.section(results, job, REFERENCE, repeats(job, names)) for job in found), "", f"{len(found)}")
+        for title, found in by_topic(jobs).items()
+    ]
 
 
 def judged_part(results: Path, jobs: list[Job], kept: Path) -> str:
@@ -113,26 +84,30 @@ def judged_part(results: Path, jobs: list[Job], kept: Path) -> str:
 
 def page(results: Path, jobs: list[Job]) -> str:
     """The whole document; no joint turns where the graph has no Joint3D."""
-    names = {job.name for job in jobs}
-    parts = [
-        heading(results, jobs, REFERENCE),
-        outcome.section(results),
-        judged_part(results, jobs, REFERENCE),
-        explore.section(results),
-    ]
+    names = {job.name: job for job in jobs}
     scripts = [PLOTLY, HERE / "report.js", HERE / "explore.js"]
+    parts = [
+        element("header", heading(results, jobs)),
+        outcome.first(results),
+        outcome.limits(results),
+        element("p", html.escape(provenance(results, jobs, REFERENCE)), class_="soft"),
+        element("p", "Below, each line opens. " + element("button", "Open all", type="button", id="open-all"), class_="soft"),
+        outcome.differing(results),
+        outcome.said(results, names["findings"]),
+        judged_part(results, jobs, REFERENCE),
+        claims.section(jobs, REFERENCE),
+        fold("Error against cost, to explore", explore.section(results), "explore", "every method and scene"),
+    ]
     if "joint3d" in names:
-        parts.append(turn.section(picture.image(results / "figures" / "figure-44.png", "The joint, seen from three sides")))
+        shown = picture.image(results / "figures" / "figure-44.png", "The joint, seen from three sides")
+        parts.append(fold("A joint to turn by hand", turn.section(shown), "turn"))
         scripts.append(HERE / "turn.js")
-    for kind, title in (("table", "Tables"), ("figure", "Figures")):
-        shown = [artefact(results, job, REFERENCE, names) for job in jobs if job.kind == kind]
-        parts += [element("h2", title), *shown]
-    parts.append(claims.section(jobs, REFERENCE))
+    parts += [*topics(results, jobs), origins.section(results, jobs)]
     style = (HERE / "report.css").read_text()
     return (
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,">'
-        f"<title>impinge: results</title><style>{style}</style></head>\n<body><main>"
+        f"<title>{TITLE}</title><style>{style}</style></head>\n<body><main>"
         + "\n".join(parts)
         + "</main>"
         + "".join(f"<script>{script.read_text()}</script>" for script in scripts)

@@ -34,13 +34,18 @@ def packed(path: Path) -> tuple[str, bytes]:
     return "image/webp", lighter(path.with_suffix(".png"))
 
 
+def box(svg: str) -> tuple[int, int]:
+    """Pixels of a drawing on a page."""
+    found = re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', svg[:4000])
+    if not found:
+        raise common.Refused("an SVG has no viewBox from 0 0: save the figure by matplotlib")
+    return round(float(found[1]) * 4 / 3), round(float(found[2]) * 4 / 3)  # points, to pixels
+
+
 def size(path: Path) -> tuple[int, int]:
     """Width and height, whose ratio keeps the picture's place in the page until it is there."""
     if path.suffix == ".svg":
-        box = re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', path.read_text(encoding="utf-8")[:4000])
-        if not box:
-            raise common.Refused(f"{path} has no viewBox from 0 0: save the figure by matplotlib")
-        return round(float(box[1]) * 4 / 3), round(float(box[2]) * 4 / 3)  # points, to pixels of a page
+        return box(path.read_text(encoding="utf-8"))
     with PIL.Image.open(path) as picture:
         scale = min(1, WIDEST / picture.width)
         return round(picture.width * scale), round(picture.height * scale)
@@ -49,7 +54,17 @@ def size(path: Path) -> tuple[int, int]:
 def image(path: Path, title: str) -> str:
     """The picture inside the page."""
     kind, content = packed(path)
-    width, height = size(path if kind != "image/webp" else path.with_suffix(".png"))
+    return shown(kind, content, size(path if kind != "image/webp" else path.with_suffix(".png")), title)
+
+
+def drawn(svg: str, title: str) -> str:
+    """A picture of the page alone."""
+    return shown("image/svg+xml", svg.encode(), box(svg), title)
+
+
+def shown(kind: str, content: bytes, shape: tuple[int, int], title: str) -> str:
+    """The element that holds it."""
+    width, height = shape
     data = base64.b64encode(content).decode("ascii")
     return (
         f'<img alt="{html.escape(title)}" width="{width}" height="{height}" loading="lazy" decoding="async"'

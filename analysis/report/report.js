@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Filters of the verdict table (where, verdict, and free text), and figures that grow.
+// Filters of the verdict table (where, verdict, and free text), parts that open for a link, and figures that grow.
 "use strict";
-const rows = [...document.querySelectorAll("#verdicts tbody tr")];
+const rows = [...document.querySelectorAll("#verdicts tr[data-verdict]")];
 const artefact = document.getElementById("filter-artefact");
 const verdict = document.getElementById("filter-verdict");
 const text = document.getElementById("filter-text");
@@ -15,6 +15,9 @@ function matches(row) {
 
 function show() {
   rows.forEach((row) => { row.hidden = !matches(row); });
+  document.querySelectorAll("#verdicts tbody").forEach((group) => { // no rule without rows
+    group.hidden = !group.querySelector("tr[data-verdict]:not([hidden])");
+  });
   const left = rows.filter((row) => !row.hidden).length;
   count.textContent = `${left} of ${rows.length} rows${left ? "" : ": no verdict is like that; choose \u201call\u201d or clear the text"}`;
 }
@@ -22,6 +25,24 @@ function show() {
 [artefact, verdict].forEach((choice) => choice.addEventListener("change", show));
 text.addEventListener("input", show);
 show();
+
+// A link to what is folded opens it, and all that it is folded in.
+function reveal() {
+  const target = location.hash.length > 1 && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  if (!target) return;
+  for (let part = target; part; part = part.parentElement) if (part.tagName === "DETAILS") part.open = true;
+  target.scrollIntoView();
+}
+addEventListener("hashchange", reveal);
+reveal();
+
+const all = document.getElementById("open-all");
+all.addEventListener("click", () => {
+  const parts = [...document.querySelectorAll("main details")];
+  const open = parts.some((part) => !part.open);
+  parts.forEach((part) => { part.open = open; });
+  all.textContent = open ? "Close all" : "Open all";
+});
 
 // A figure fills the width of the page; a click or Enter shows it twice as wide, or back.
 document.querySelectorAll("figure img").forEach((picture) => {

@@ -26,7 +26,6 @@ def section(picture: str) -> str:
         for title, state in ((html.escape(t), html.escape(s)) for t, s in JOINTS.items())
     )
     return (
-        '<h2 id="turn">A joint to turn by hand</h2>'
         "<p>Joint3D, the program of the thesis' Section 3.4, with this library in it: it works out the gap at every vertex as"
         " you watch. Each colour is a range of gaps in mm between ball and socket, given beside the joint: purple where bones"
         " overlap, red to yellow where the gap is below the 4 mm of both cartilage layers, green on the ball and blue on the socket"

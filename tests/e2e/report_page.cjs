@@ -4,15 +4,46 @@
 const assert = require("node:assert/strict");
 const { address, faultsOf, launch } = require("./watched_page.cjs");
 
-const shownRows = (page) => page.locator("#verdicts tbody tr:not([hidden])").count();
+const shownRows = (page) => page.locator("#verdicts tr[data-verdict]:not([hidden])").count();
+
+/** Follows a link to a part of the page, which must open it. */
+async function follow(page, name) {
+  await page.evaluate((id) => { location.hash = id; }, name);
+  await page.waitForFunction((id) => document.getElementById(id).open, name);
+}
+
+/** The first screen has totals, main plot, stability and links; the whole page, as loaded, is short. */
+async function firstScreen(page) {
+  const screens = await page.evaluate(() => document.documentElement.scrollHeight / innerHeight);
+  assert.ok(screens < 12, `the page has ${screens} screens`);
+  assert.equal(await page.locator("main details[open]").count(), 0);
+  for (const name of ["paper.pdf", "joint3d.html", "README.md"]) assert.equal(await page.locator(`header a[href$="${name}"]`).count(), 1, name);
+  const wide = await page.evaluate(() => innerWidth > 1000);
+  for (const place of wide ? [".totals", ".first figure >> nth=0", ".first figure >> nth=1", '.first a[href="#claims"]'] : [".totals"]) {
+    const box = await page.locator(place).boundingBox();
+    assert.ok(box.y + box.height <= page.viewportSize().height, `${place} ends at ${box.y + box.height}`);
+  }
+  const counted = await page.locator(".totals li").evaluateAll((tiles) => Object.fromEntries(
+    tiles.map((tile) => [tile.querySelector(".verdict").textContent, Number(tile.querySelector("b").textContent)])));
+  const listed = await page.locator("#differing tbody tr").count();
+  assert.equal(listed, (counted.differs ?? 0) + (counted["thesis-misprint"] ?? 0), "the tiles say otherwise than the table");
+}
+
+async function opening(page) {
+  await page.click("#open-all");
+  assert.equal(await page.locator("main details:not([open])").count(), 0);
+  await page.click("#open-all");
+  assert.equal(await page.locator("main details[open]").count(), 0);
+}
 
 async function filters(page) {
+  await follow(page, "verdicts-all");
   const all = await shownRows(page);
   assert.ok(all > 100, `${all} verdicts`);
   await page.selectOption("#filter-verdict", "differs");
   const differing = await shownRows(page);
   assert.ok(differing > 0 && differing < all, `${differing} of ${all} differ`);
-  assert.equal(await page.locator('#verdicts tbody tr:not([hidden]):not([data-verdict="differs"])').count(), 0);
+  assert.equal(await page.locator('#verdicts tr[data-verdict]:not([hidden]):not([data-verdict="differs"])').count(), 0);
   await page.fill("#filter-text", "no such text anywhere");
   assert.equal(await shownRows(page), 0);
   assert.match(await page.textContent("#count"), /^0 of \d+ rows: no verdict is like that/);
@@ -22,7 +53,9 @@ async function filters(page) {
 }
 
 async function exploring(page) {
+  await follow(page, "explore");
   const plot = page.locator("#explore-plot");
+  await plot.locator(".legendtoggle").first().waitFor();
   await plot.scrollIntoViewIfNeeded();
   const shown = () => plot.evaluate((place) => place.data.filter((trace) => trace.visible !== "legendonly").length);
   const before = await shown();
@@ -71,6 +104,7 @@ async function drawFinger(page, from, to) {
 const gap = (frame) => frame.textContent("#stage-gap");
 
 async function turning(page) {
+  await follow(page, "turn");
   const place = page.locator("#turn-place");
   await place.scrollIntoViewIfNeeded();
   assert.equal(await page.locator("#turn-place iframe").count(), 0, "Joint3D is awake before it is asked for");
@@ -109,14 +143,13 @@ async function turning(page) {
   await page.emulateMedia({ media: "screen" });
 }
 
-/** A link to the last figure leads there though none above it has been drawn yet; a click makes it larger. */
+/** A link to the last figure opens what it is folded in and leads there; a click makes it larger. */
 async function figures(page) {
-  const title = page.locator("h3").last();
-  const id = await title.getAttribute("id");
-  await page.evaluate((name) => { location.hash = name; }, id);
-  const figure = page.locator("figure img").last();
+  const figure = page.locator(".artefact figure img").last();
+  const id = await figure.evaluate((picture) => picture.closest("details").id);
+  await follow(page, id);
   await figure.evaluate((picture) => picture.decode());
-  assert.ok(await title.evaluate((heading) => Math.abs(heading.getBoundingClientRect().top) < innerHeight), `#${id} leads elsewhere`);
+  assert.ok(await page.locator(`[id="${id}"]`).evaluate((part) => Math.abs(part.getBoundingClientRect().top) < innerHeight), `#${id} leads elsewhere`);
   const width = () => figure.evaluate((picture) => picture.getBoundingClientRect().width);
   const before = await width();
   await figure.click();
@@ -126,10 +159,12 @@ async function figures(page) {
 async function main() {
   const browser = await launch();
   try {
-    for (const [width, height] of [[1440, 900], [390, 844]]) {
+    for (const [width, height] of [[1300, 900], [390, 844]]) {
       const page = await browser.newPage({ viewport: { width, height } });
       const faults = await faultsOf(page);
       await page.goto(address());
+      await firstScreen(page);
+      await opening(page);
       await filters(page);
       await exploring(page);
       await turning(page);

@@ -189,7 +189,7 @@ class Reproduce(unittest.TestCase):
                 self.assertIn(answer, done.stdout)
 
     def test_e_report_works_in_a_browser(self):
-        """Filters, the plot to explore, the joint that turns, no request, no error, on a desktop and on a phone."""
+        """First screen, filters, the plot to explore, the joint that turns, no request, no error, on a desktop and on a phone."""
         script = Path(__file__).resolve().parent / "report_page.cjs"
         done = subprocess.run(
             ["node", str(script), str(RESULTS / "report.html")], capture_output=True, text=True, check=False
@@ -286,7 +286,7 @@ class Reproduce(unittest.TestCase):
 
     def test_j_report_stands_alone(self):
         """No picture from elsewhere; links lead to files beside it, and every figure is inside or linked."""
-        self.assertLess((RESULTS / "report.html").stat().st_size, 10_000_000)
+        self.assertLess((RESULTS / "report.html").stat().st_size, 5_000_000)
         page = re.sub(r"<script\b.*?</script>", "", (RESULTS / "report.html").read_text(), flags=re.DOTALL)
         self.assertEqual(re.findall(r"""src=["'](?!data:)[^"']*""", page), [])
         links = set(re.findall(r'href="(?!data:|#)([^"]*)"', page))
