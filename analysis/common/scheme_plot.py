@@ -80,7 +80,7 @@ def name_points(axes: plt.Axes, x: pd.Series, y: pd.Series, names: list[str]) ->
                 bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.85},
                 arrowprops={
                     "arrowstyle": "-",
-                    "color": "#999999",
+                    "color": common.THESIS_GREY,
                     "linewidth": 0.6,
                     "shrinkA": 0,
                     "shrinkB": 4,

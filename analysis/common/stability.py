@@ -32,6 +32,8 @@ OTHERS = {
     "ode_collide": "ODE (OPCODE)",
     "vtk_collide": "VTK",
 }
+# What holds, what is left open and what fails: light, middling and dark, so that it is read in grey too.
+HOLDS, OPEN, FAILS = "#CFE8F5", "#E3AE33", "#A5300B"
 COLUMNS = [*OURS, *STEPS.values(), *dict.fromkeys(OTHERS.values())]
 
 

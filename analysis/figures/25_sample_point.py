@@ -52,7 +52,7 @@ def draw_point(axes: plt.Axes, face: np.ndarray, point: np.ndarray, entry: pd.Se
     origin = FROM_BESIDE.see(np.zeros(3))
     seen = FROM_BESIDE.see(face)
     for corner, name, offset in zip(seen, "abc", ((-2, 9), (9, -5), (-9, 5))):
-        axes.plot(*np.array([origin, corner]).T, color="#b0b0b0", linewidth=0.8, zorder=1)
+        axes.plot(*np.array([origin, corner]).T, color=common.THESIS_GREY, linewidth=0.8, zorder=1)
         diagram.note(axes, corner, name, offset, fontsize=11)
     diagram.polygon(axes, seen, facecolor=diagram.FILL["socket"], edgecolor=diagram.SOCKET)
     for axis, name in zip(np.eye(3), "xyz"):

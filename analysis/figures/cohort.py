@@ -32,7 +32,7 @@ def main(options) -> common.Figure:
             hips.internal_rotation_at_90_high_deg.clip(upper=rotation.max() + 5) - rotation,
         ]
     )
-    look = {"fmt": "o", "markersize": 2.5, "linewidth": 0.4, "color": common.COLOURS[0], "ecolor": "#b0b0b0"}
+    look = {"fmt": "o", "markersize": 2.5, "linewidth": 0.4, "color": common.COLOURS[0], "ecolor": common.THESIS_GREY}
     for axes, column, words in zip(
         panels[1:], ("alpha_1_30", "femoral_torsion"), ("alpha at 1:30", "femoral torsion")
     ):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      contact-against-time
-# @question  Touch, smallest gap, first contact and filling: what does each method miss, and what does it cost?
+# @question  Do the surfaces overlap, how small is the gap, when is first contact, and how long does filling take: what does each method miss, and what does it cost?
 # @data      all_gaps contact contact_agreement first_contact
 """A panel a question, of the normal hip: what is missed or wrong across, time up; lower left is better."""
 
@@ -11,9 +11,10 @@ import common
 from common import error_panel, fast, work_precision
 
 FOOT = (
-    "Lower left is better. Overlap: near contact, against the exact overlay of the faces; by vertices, share of the overlaps without"
-    " an impinged vertex, on the\ngenerated pair. Smallest gap: the worst of three. First contact: steps, then halvings to 0.001°;"
-    " the bracket is proven. Filling: error of a gap then; | bound."
+    "Lower left is better; time: one thread. Overlap: poses near contact, against exact arithmetic; tests of vertices: overlaps between them"
+    " that they miss, on the\ngenerated pair. Smallest gap: the slowest of three poses. First contact: pose after pose in steps (written at"
+    " the points), then halved to 0.001°; the bracket is\nproven. Tables: spacings from 2° down, finer ones take longer; dotted with |: proven"
+    " bound of the error."
 )
 
 
@@ -22,10 +23,12 @@ def main(options) -> common.Figure:
     turns = hip_rows(common.load(options.results, "first_contact"))
     panels = [touch(poses, common.load(options.results, "contact_agreement").iloc[0]), smallest(poses), first_contact(turns), filling(work_precision.load(options.results))]
     looks = common.look([line for rows, *_ in panels for line in rows.line])
-    figure, grid = error_panel.grid_of(2, 3.7, FOOT)
-    for axes, (rows, errors, title, unit) in zip(grid.flat, panels):
+    title = f"Other questions: what methods miss or err by, and their time, on {work_precision.scene_title(poses.scene.iloc[0])}"
+    figure, grid = error_panel.grid_of(title, FOOT, 3.2, 0.6, 0.5)
+    for axes, (rows, errors, words, unit) in zip(grid.flat, panels):
         error_panel.draw(axes, rows, errors, looks)
-        axes.set(title=title, ylabel=unit)
+        error_panel.name_points(axes, rows, errors, looks)
+        axes.set(title=words, ylabel=unit)
     return figure
 
 
@@ -69,8 +72,8 @@ def filling(rows: pd.DataFrame) -> tuple:
     """Building of both surfaces."""
     own = rows[rows.scene == work_precision.scenes(rows)["hip"]]
     own = work_precision.fastest(own, "build_ms")
-    own = own.rename(columns={"build_ms": "cost", "error_um": "error", "bound_um": "bound"})
-    return own, error_panel.MICROMETRES, "Filling or building, both surfaces", "time, ms"
+    own = own.rename(columns={"build_ms": "cost", "error_um": "error", "bound_um": "bound"}).assign(step="")
+    return own, error_panel.MICROMETRES, "Filling tables or building trees, both surfaces", "time, ms"
 
 
 common.run(main)

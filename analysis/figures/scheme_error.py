@@ -25,7 +25,7 @@ def main(options) -> common.Figure:
     shares = {name: table[name] / reference[name] for name in MEASURES}
     span = (0.5, 1.08 * max(scheme_plot.reach(share) for share in shares.values()))
     for place, *ends in zip(places, *(share.clip(*span) for share in shares.values())):
-        axes.plot([min(ends), max(ends)], [place, place], color="#bbbbbb", linewidth=1.2, zorder=1)
+        axes.plot([min(ends), max(ends)], [place, place], color=common.THESIS_GREY, linewidth=1.2, zorder=1)
     scheme_plot.dots(axes, shares, span, MEASURES, apart=0)
     axes.axvline(1, color="black", linewidth=1, linestyle=":")
     axes.set(

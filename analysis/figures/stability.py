@@ -11,7 +11,6 @@ from matplotlib.patches import Patch, Rectangle
 import common
 from common import stability
 
-HOLDS, SILENT, FAILS = "#CFE8F5", "#FBE3A5", "#A5300B"
 NAMES = {
     "behind_bone": "bone behind bone",
     "beside_opening": "contact beside an opening",
@@ -63,7 +62,7 @@ def main(options) -> common.Figure:
 
 def draw_cell(axes: plt.Axes, column: int, row: float, counts: pd.Series) -> None:
     """Its colour, and what share fails or says nothing, or how many hold."""
-    colour = FAILS if counts.wrong else SILENT if counts.silent else HOLDS
+    colour = stability.FAILS if counts.wrong else stability.OPEN if counts.silent else stability.HOLDS
     axes.add_patch(Rectangle((column + 0.03, row + 0.05), 0.94, 0.9, facecolor=colour, linewidth=0))
     said = percent(counts.wrong or counts.silent, counts.asked) if counts.wrong or counts.silent else short(counts.asked)
     axes.text(column + 0.5, row + 0.52, said, ha="center", va="center", fontsize=common.SMALL, color="white" if counts.wrong else common.drawing.INK)
@@ -82,9 +81,9 @@ def short(count: int) -> str:
 def legend() -> list:
     """The three colours."""
     return [
-        Patch(color=HOLDS, label="holds: each of so many answers is right"),
-        Patch(color=SILENT, label="withheld: none is wrong, this share is left open"),
-        Patch(color=FAILS, label="fails: this share is wrong"),
+        Patch(color=stability.HOLDS, label="holds: all answers right; their number"),
+        Patch(color=stability.OPEN, label="left open: no answer wrong, this share has none"),
+        Patch(color=stability.FAILS, label="fails: this share is wrong"),
     ]
 
 

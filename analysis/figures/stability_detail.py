@@ -14,7 +14,6 @@ from common import stability
 
 LOOKS = {0.1: ("0.1°", "#0072B2", "o"), 1.0: ("1°", "#D55E00", "s")}
 RADIUS_UM = 20e3  # of the point that is aimed at, stress/shapes.hpp
-SEEN, OPEN, MISSED = "#CFE8F5", "#FBE3A5", "#A5300B"
 
 
 def main(options) -> common.Figure:
@@ -49,11 +48,11 @@ def missed(axes: plt.Axes, cases: pd.DataFrame) -> None:
     for at, (name, lost, asked) in enumerate(rows):
         for column, angle in enumerate(angles):
             share = lost[angle] / asked[angle]
-            colour = SEEN if not share else MISSED if "steps" in name else OPEN
+            colour = stability.HOLDS if not share else stability.FAILS if "steps" in name else stability.OPEN
             axes.add_patch(Rectangle((column + 0.03, at + 0.06), 0.94, 0.88, linewidth=0, facecolor=colour))
             if share:
                 said = "all" if share == 1 else f"{100 * share:.0f} %"
-                axes.text(column + 0.5, at + 0.53, said, ha="center", va="center", fontsize=common.SMALL, color="white" if colour == MISSED else "black")
+                axes.text(column + 0.5, at + 0.53, said, ha="center", va="center", fontsize=common.SMALL, color="white" if colour == stability.FAILS else "black")
     axes.set(xlim=(0, len(angles)), ylim=(len(rows), 0))
     axes.set_yticks(np.arange(len(rows)) + 0.5, [name for name, *_ in rows])
     axes.set_xticks(np.arange(len(angles)) + 0.5, [f"$10^{{{np.log10(angle):.0f}}}$" for angle in angles])
