@@ -23,7 +23,7 @@ TOPICS = {
     "More": ("",),
 }  # fmt: skip
 THESIS = {"table": "Tables of the thesis, ours beside them", "figure": "Figures of the thesis, made again"}
-REAL = "Figures of the thesis with each real joint"
+REAL = "Pictures of each real joint"
 
 
 def load_jobs(path: Path) -> list[Job]:
@@ -38,9 +38,10 @@ def place(job: Job) -> tuple:
 
 
 def repeats(job: Job, names: set[str]) -> bool:
-    """Whether it shows one more real joint in a figure of the thesis that the page has anyway."""
+    """Whether it shows one more real joint in a figure that the page has anyway."""
     base, _, joint = job.name.rpartition("-")
-    return re.fullmatch(r"figure-\d+", base) is not None and f"scene-{joint}" in names and base in names
+    again = base in names if re.fullmatch(r"figure-\d+", base) else base == "joint" and joint != "generated"
+    return again and f"scene-{joint}" in names
 
 
 def topic(job: Job, names: set[str]) -> str:

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import html
 import json
 from pathlib import Path
 
 import pandas as pd
 
+import common
 from report import reference
 from report.markup import cell, element, words
 
@@ -16,12 +18,14 @@ MOST = 150  # rows in the page: the rest is in the file
 
 
 def grid(table: pd.DataFrame, kept: pd.DataFrame | None, units: dict[str, str] = {}, cards: bool = False) -> str:
-    """The rows; kept has the same shape. On a phone a row of cards is a card, and of other tables a line that scrolls."""
+    """The rows, none of whose units is 1; kept has the same shape. On a phone a row of cards is a card, and of other tables a line that scrolls."""
     titles = [words(name, units.get(name, "")) for name in table.columns]
-    head = element("tr", "".join(element("th", title, scope="col") for title in titles))
+    table = table.assign(unit=table.unit.replace("1", "")) if "unit" in table else table
+    numbers = [{"class_": "number"} if pd.to_numeric(table[name].replace("", "0"), errors="coerce").notna().all() else {} for name in table.columns]
+    head = element("tr", "".join(element("th", title, scope="col", **look) for title, look in zip(titles, numbers)))
     older = kept.itertuples(index=False) if kept is not None else [None] * len(table)
     body = "".join(
-        element("tr", "".join(cell(value, title if cards else "", shorten=True, kept=old) for value, old, title in zip(row, was or row, titles)))
+        element("tr", "".join(cell(value, shorten=True, kept=old) for value, old in zip(row, was or row)))
         for row, was in zip(table.head(MOST).itertuples(index=False), older)
     )
     style = "scroll long" if len(table) > SCROLLED and not cards else "scroll"
@@ -48,6 +52,22 @@ def units_of(path: Path) -> dict[str, str]:
     sidecar = path.with_suffix(".json")
     columns = json.loads(sidecar.read_text())["columns"] if sidecar.is_file() else []
     return {column["name"]: column["unit"] for column in columns}
+
+
+def meanings(path: Path, results: Path, data: list[str]) -> dict[str, str]:
+    """What the columns of a table mean, in the words of the data that it is made from; those that say it of another column are left out."""
+    said: dict[str, str] = {}
+    for name in data:
+        for column in common.sidecar(results / "data" / f"{name}.csv")["columns"]:
+            said.setdefault(column["name"], column.get("meaning", ""))
+    names = pd.read_csv(path, nrows=0).columns
+    return {name: said[name] for name in names if said.get(name) and not said[name].startswith(("likewise", "the same", "as in ", "of th"))}
+
+
+def explained(meant: dict[str, str]) -> str:
+    """The meanings, folded."""
+    lines = "".join(element("dt", words(name)) + element("dd", html.escape(text)) for name, text in meant.items())
+    return element("details", element("summary", "What the columns mean") + element("dl", lines)) if meant else ""
 
 
 def section(path: Path, folder: Path) -> str:

@@ -4,7 +4,7 @@
 {
   const lines = JSON.parse(document.getElementById("explore-data").textContent);
   const chosen = Object.fromEntries(
-    ["scene", "error", "cost"].map((name) => [name, document.getElementById(`explore-${name}`)]));
+    ["scene", "storage", "error", "cost"].map((name) => [name, document.getElementById(`explore-${name}`)]));
   const place = document.getElementById("explore-plot");
   const narrow = matchMedia("(max-width: 40rem)");
   const titleOf = (select) => select.selectedOptions[0].textContent;
@@ -13,7 +13,7 @@
     x: line[chosen.error.value],
     y: line[chosen.cost.value],
     text: line.setting,
-    name: line.name,
+    name: line.name.replace(/, (float|uint16)$/, ""),
     mode: "lines+markers",
     marker: { color: line.colour, symbol: line.marker, size: 8 },
     line: { color: line.colour, width: 1, dash: line.kind === "library" ? "dot" : "solid" },
@@ -31,7 +31,7 @@
   const axis = (title) => ({ title: { text: title }, type: "log", exponentformat: "power", gridcolor: "#d8dee4" });
 
   function draw() {
-    const shown = lines.filter((line) => line.scene === chosen.scene.value).map(traceOf)
+    const shown = lines.filter((line) => line.scene === chosen.scene.value && ["none", chosen.storage.value].includes(line.storage)).map(traceOf)
       .filter((trace) => trace.x.some((x, i) => x !== null && trace.y[i] !== null));
     Plotly.react(place, shown, {
       xaxis: { ...axis(titleOf(chosen.error)), range: view(shown) },
@@ -45,9 +45,22 @@
     }, { responsive: true, displaylogo: false });
   }
 
-  Object.values(chosen).forEach((select) => select.addEventListener("change", draw));
+  /** Unpacks Plotly, once. */
+  let loaded;
+  const load = () => loaded ??= (async () => {
+    const bytes = Uint8Array.from(atob(document.getElementById("explore-library").textContent), (letter) => letter.charCodeAt(0));
+    const script = document.createElement("script");
+    script.text = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).text();
+    document.head.append(script);
+  })();
+
   const part = document.getElementById("explore");
-  const drawIfOpen = () => { if (part.open) draw(); };
+  const drawIfOpen = async () => {
+    if (!part.open) return;
+    await load();
+    draw();
+  };
+  Object.values(chosen).forEach((select) => select.addEventListener("change", drawIfOpen));
   narrow.addEventListener("change", drawIfOpen);
   part.addEventListener("toggle", drawIfOpen);
 }

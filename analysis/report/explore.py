@@ -5,6 +5,8 @@ of error and any cost on the axes. From data/error_against_time.csv and error_ag
 
 from __future__ import annotations
 
+import base64
+import gzip
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +23,7 @@ ERRORS = {
     "rms_um": "root mean square error, µm",
     "bound_um": "proven bound, µm",
 }
+STORAGES = {"double": "double", "float": "float", "uint16": "16 bits"}  # of tables; the first is shown at first
 MARKERS = ["circle", "square", "diamond", "triangle-up", "cross", "x", "star"]
 
 
@@ -41,6 +44,7 @@ def lines(table: pd.DataFrame) -> list[dict]:
                 "scene": scene,
                 "name": pareto.label(line),
                 "kind": group.kind.iloc[0],
+                "storage": group.storage.iloc[0],
                 "colour": looks[line]["color"],
                 "marker": MARKERS[k // len(common.COLOURS) % len(MARKERS)],
                 "setting": [pareto.step_of(row) for row in group.itertuples()],
@@ -50,8 +54,14 @@ def lines(table: pd.DataFrame) -> list[dict]:
     return found
 
 
-def section(results: Path) -> str:
-    """The controls, the plot's place and its data."""
+def packed(script: Path) -> str:
+    """A script in a third of its bytes, which explore.js unpacks when the plot is asked for."""
+    text = base64.b64encode(gzip.compress(script.read_bytes(), mtime=0)).decode("ascii")
+    return f'<script type="text/plain" id="explore-library">{text}</script>'
+
+
+def section(results: Path, library: Path) -> str:
+    """The controls, the plot's place, its data, and the library that draws it."""
     table = pareto.load(results)
     first = pareto.main_scene(list(table.scene.unique()))
     scenes = {name: name.replace("_", " ") for name in [first, *(s for s in table.scene.unique() if s != first)]}
@@ -60,7 +70,8 @@ def section(results: Path) -> str:
         "<p>Lower left is better. Click a name to hide its line, double-click to show it alone; point at a marker for its"
         " numbers; drag to zoom, double-click the plot to see everything, exact methods too."
         " Only methods that give the radius along a direction are shown.</p>"
-        f'<div class="filters">{choice("explore-scene", "Scene", scenes)}{choice("explore-error", "Horizontal axis", ERRORS)}'
+        f'<div class="filters">{choice("explore-scene", "Scene", scenes)}{choice("explore-storage", "Tables in", STORAGES)}'
+        f'{choice("explore-error", "Horizontal axis", ERRORS)}'
         f'{choice("explore-cost", "Vertical axis", pareto.COSTS)}</div><div id="explore-plot" role="img" aria-label="Error against cost'
-        ' of every method"></div>' + data_script("explore-data", shown)
+        ' of every method"></div>' + data_script("explore-data", shown) + packed(library)
     )

@@ -72,15 +72,15 @@ def verdict_row(row: dict[str, str], names: list[str], places: set[str]) -> str:
     where = html.escape(title_of(row["artefact"]))
     if row["artefact"] in places:
         where = element("a", where, href=f"#{row['artefact']}")
-    cells = [element("td", where, data_title="where")]
+    cells = [element("td", where)]
     for name in names[1:]:
         text = row_label(row[name]) if name == "row" else words(row[name]) if name == "column" else row[name]
-        cells.append(cell(text, title=COLUMNS[name], name=name in ("row", "column"), shorten=name in ROUNDED))
+        cells.append(cell(text, name=name in ("row", "column"), shorten=name in ROUNDED))
     counted, found = not row["rule"].startswith(NOT_COUNTED), row["verdict"]
     other = row.get("verdict_reference", "")
     inner = html.escape(found) + ("<br>" + element("span", f"reference: {other}", class_="kept") if other else "")
     looks = f"verdict {found}" if counted else "verdict input"
-    cells.append(element("td", inner, class_=looks, data_mark=MARKS.get(found, "") if counted else MARKS["input"], data_title="verdict"))
+    cells.append(element("td", inner, class_=looks, data_mark=MARKS.get(found, "") if counted else MARKS["input"]))
     why = row["note"] if counted else row["rule"].removeprefix(NOT_COUNTED) + (f". {row['note']}" if row["note"] else "")
     cells.append(element("td", html.escape(why), class_="why"))
     return element("tr", "".join(cells), data_artefact=row["artefact"], data_verdict=found)

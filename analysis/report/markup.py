@@ -9,13 +9,15 @@ import math
 import re
 
 import common
+from common import motion_limits
 from common.wording import LABELS
 
 # Words of columns of tables/NAME.csv that are no words of a reader, and the signs of units.
 NAMES = {
-    "measured": "here", "iqr": "spread (IQR)", "rsid": "RSID", "usid": "USID", "rapid": "RAPID", "lut entries": "entries", "fcl": "FCL", "mcewen wiaux": "McEwen and Wiaux",
+    "iqr": "spread (IQR)", "rsid": "RSID", "usid": "USID", "rapid": "RAPID", "lut entries": "entries", "fcl": "FCL", "mcewen wiaux": "McEwen and Wiaux",
     "driscoll healy": "Driscoll and Healy", "patient a": "patient A", "patient b": "patient B", "stand in": "stand-in", "rms": "RMS",
-    "p99": "99th percentile", "p9999": "99.99th percentile", "eq16": "Eq. 16", "cpu": "processor time", "i": "ray",
+    "p99": "99th percentile", "p9999": "99.99th percentile", "eq16": "Eq. 16", "to grid": "over the grid's", "times needed": "time over ours", "of all": "share of everything",
+     "cpu": "processor time", "i": "ray",
 }  # fmt: skip
 SIGNS = {
     "deg": "°", "mm": "mm", "mm2": "mm²", "mm3": "mm³", "um": "µm", "nm": "nm", "s": "s", "ms": "ms", "us": "µs", "ns": "ns", "mib": "MiB",
@@ -52,11 +54,11 @@ def data_script(name: str, value: object) -> str:
 
 
 def words(name: str, unit: str = "") -> str:
-    """What a reader calls a column: "iqr_ms" is "spread (IQR), ms". Its unit is the last word that names one, or `unit`."""
+    """What a reader calls a column: "iqr_ms" is "spread (IQR), ms". Its unit is what its first or last word says, or `unit`."""
     parts = name.replace("_", " ").split()
-    found = [part for part in parts if part in SIGNS]
-    sign = SIGNS[found[-1]] if found else SIGNS.get(unit, "")
-    said = " ".join(part for part in parts if not found or part != found[-1])
+    units = [k for k, part in enumerate(parts) if part in SIGNS and (part == "percent" or k in (0, len(parts) - 1))]
+    sign = SIGNS[parts.pop(units[-1])] if units else "" if set(parts) & set(SIGNS) else SIGNS.get(unit, "")
+    said = " ".join(parts).removesuffix(",")
     for word, text in NAMES.items():
         said = re.sub(rf"(?<!\w){word}(?!\w)", text, said)
     return ", ".join(part for part in (said, sign) if part)
@@ -64,7 +66,9 @@ def words(name: str, unit: str = "") -> str:
 
 def readable(value: str) -> str:
     """What a reader calls the name in a cell: "rsid_thesis" is "RSID, raster of the thesis"."""
-    return common.label(value) if re.fullmatch(r"[a-z0-9]+(_[a-z0-9]+)+", value) or value in LABELS else value
+    if value in motion_limits.LABELS:
+        return motion_limits.LABELS[value]
+    return common.label(value) if value in LABELS or re.fullmatch(r"[a-z0-9]+(_[a-z0-9]+)+", value) else value
 
 
 def written(value: str, shorten: bool, name: bool = False) -> tuple[str, bool]:
@@ -85,12 +89,10 @@ def digits(value: str) -> str:
     return html.unescape(written(value, shorten=True)[0])
 
 
-def cell(value: str, title: str = "", shorten: bool = False, name: bool = False, kept: str | None = None) -> str:
+def cell(value: str, shorten: bool = False, name: bool = False, kept: str | None = None) -> str:
     """A table cell; numbers to the right unless they are names. kept: what the reference run has there."""
     text, number = written(value, shorten, name)
-    attributes = {"data_title": title} if title else {}
-    if number:
-        attributes["class_"] = "number"
+    attributes = {"class_": "number"} if number else {}
     if kept is not None and kept != value:
         text += "<br>" + element("span", written(kept, shorten)[0] or "none", class_="kept")
     return element("td", text, **attributes)

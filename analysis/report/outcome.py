@@ -6,14 +6,13 @@ the numbers and statements of the thesis that came out otherwise.
 from __future__ import annotations
 
 import html
-import io
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import pandas as pd
 
 import common
-from common import error_panel, motion_limits, scene_needs, stability, tally, work_precision
+from common import error_panel, limit_time, motion_limits, scene_needs, stability, tally, work_precision
 from common.jobs import Job
 from report import data_table, picture, section
 from report.artefacts import row_label, title_of
@@ -22,31 +21,36 @@ from report.markup import element, fold, words
 from verdicts import verdict
 
 SHOWN = "thousand"  # the panel of the main plot: all gaps of 1,000 poses
-WORDS = {"holds": "hold", "misprint": "are misprints", "imprecise": "are imprecise", "wrong": "are wrong", "inconclusive": "are undecided"}
-TITLES = {"artefact": "where", "row": "row or case", "measured": "this run", "note": "why", "claim": "the thesis says", "computed": "what came out"}
+COMPARED = ("reproduced", "differs", "inconclusive", "thesis-misprint")
+KINDS = {"computed": "computed from formulas", "measured": "measured"}
+WORDS = {"holds": "hold", "misprint": "misprints", "inconclusive": "undecided"}
+TITLES = {"artefact": "where", "measured": "this run", "note": "why", "claim": "the thesis says", "computed": "what came out"}
 
 
 def totals(verdicts: pd.DataFrame, results: Path) -> str:
     """How often each verdict was given, each number of the thesis once."""
     rows = verdict.counted(verdicts)
     found = rows.verdict.value_counts()
-    compared = sum(found.get(name, 0) for name in ("reproduced", "differs", "inconclusive", "thesis-misprint"))
     tiles = "".join(
-        element("li", element("b", str(found[name])) + " " + element("span", name, class_=f"verdict {name}") + "<br>" + MEANINGS[name], data_mark=MARKS[name])
+        element("li", element("b", str(found[name])) + " " + element("span", name, class_=f"verdict {name}") + "<br>" + MEANINGS[name])
         for name in MARKS
         if name in found
     )
+    kinds = [
+        f"{own['reproduced']} of the {sum(own[name] for name in COMPARED)} {KINDS[kind]}"
+        for kind, own in tally.counts(rows.to_dict("records")).items()
+        if kind in KINDS
+    ]
     said = statements(results).verdict.value_counts()
-    counts = ", ".join(f"{count} {WORDS[name]}" for name, count in said.items())
-    kinds = tally.said(rows[rows.verdict != "input"].to_dict("records"))
+    counts = ", ".join(f"{count} {WORDS.get(name, name)}" for name, count in said.items())
+    links = {"What differs": "differing", "statements": "findings", "all verdicts": "verdicts-all"}
     return (
-        element("h2", f"The thesis: {found.get('reproduced', 0)} of the {compared} numbers that can be compared are reproduced")
+        element("h2", f"Reproduced: {found.get('reproduced', 0)} of the {sum(found.get(name, 0) for name in COMPARED)} numbers of the thesis that can be compared")
         + element("ul", tiles, class_="totals")
         + element(
             "p",
-            f"Apart: {kinds}. Of {said.sum()} statements {counts}. "
-            + element("a", "Numbers that differ, and why", href="#differing") + " · " + element("a", "statements", href="#findings") + " · "
-            + element("a", "every verdict", href="#verdicts-all"),
+            f"{', '.join(kinds)}. Of {said.sum()} statements {counts}. "
+            + " · ".join(element("a", title, href=f"#{name}") for title, name in links.items()),
             class_="soft",
         )
     )
@@ -57,36 +61,54 @@ def main_plot(results: Path) -> str:
     rows = work_precision.load(results)
     scene = work_precision.scenes(rows)["hip"]
     own = rows[rows.scene == scene]
-    figure, axes = plt.subplots(figsize=(6.3, 4.2))
-    figure.subplots_adjust(left=0.1, right=0.79, bottom=0.12, top=0.97)
     points = work_precision.fastest(own, SHOWN)
-    points = points.assign(cost=points[SHOWN] / 1e3).rename(columns={"error_um": "error", "bound_um": "bound"})
-    error_panel.draw(axes, points, error_panel.MICROMETRES, common.look(list(dict.fromkeys(work_precision.LINES.values()))))
-    axes.set(ylabel="time of building and 1,000 poses, s")
-    drawn = io.StringIO()
-    figure.savefig(drawn, format="svg", metadata=dict.fromkeys(common.drawing.UNSAID["svg"]))
-    plt.close(figure)
-    said = f"{speed(own, scene)} Lower left is better; at the points the spacing of a table's entries; | is its proven bound."
+    points = points.assign(cost=points[SHOWN] / 1e3, step=points.step.where(points.step.str.endswith("°"), "")).rename(columns={"error_um": "error", "bound_um": "bound"})
+    looks = common.look(list(dict.fromkeys(work_precision.LINES.values())))
+    figure, axes = plt.subplots(figsize=(6.3, 2.5))
+    figure.subplots_adjust(left=0.09, right=0.8, bottom=0.18, top=0.97)
+    error_panel.draw(axes, points, error_panel.MICROMETRES, looks)
+    error_panel.name_points(axes, points, error_panel.MICROMETRES, looks)
+    axes.set(ylabel="building and 1,000 poses, s")
+    said = speed(own, scene)
     return (
         element("h2", "Error against time")
-        + element("p", html.escape(said) + " " + element("a", "A single query, one pose, a million", href="#error-against-time") + ".")
-        + element("figure", picture.drawn(drawn.getvalue(), said))
+        + element("p", html.escape(said) + " Lower left is better; | is a proven bound. " + element("a", "One gap, one pose, a million", href="#error-against-time") + ".")
+        + element("figure", picture.drawn(figure, said))
     )
 
 
 def speed(own: pd.DataFrame, scene: str) -> str:
-    """Time and error of the lines that matter, and from how many poses on a table pays."""
+    """Time and error of the lines that matter."""
 
     def best(*lines: str) -> pd.Series:
         return own[own.line.isin(lines)].nsmallest(1, SHOWN).iloc[0]
 
-    parts = []
-    for name, row in {"exact cells": best("exact cells"), "Embree's rays": best("Embree"), "the thesis' tables": best(*work_precision.THESIS)}.items():
-        parts.append(f"{name} {common.digits(row[SHOWN] / 1e3, 2)} s with an error of {common.digits(row.error_um, 2)} µm")
+    chosen = {
+        "our exact cells": best("exact cells"),
+        "Embree's rays": best("Embree"),
+        "the thesis' tables of radii (RSID: on a grid of angles, USID: along a helix)": best(*work_precision.THESIS),
+    }
+    parts = [f"{name} {common.digits(row[SHOWN] / 1e3, 2)} s, error {common.digits(row.error_um, 2)} µm" for name, row in chosen.items()]
     first = own.nsmallest(1, "one").iloc[0]
     return (
-        f"All gaps of 1,000 poses of a hip ({scene.replace('_', ' ')} triangles), one thread, building included: {'; '.join(parts)} at most."
-        f" For one pose {first.line} is the fastest: {common.digits(first.one, 2)} ms."
+        f"All gaps of 1,000 poses of {work_precision.scene_title(scene)}, building included: {'; '.join(parts)}."
+        f" For a single pose {first.line} is the fastest, {common.digits(first.one, 2)} ms."
+    )
+
+
+def turning(results: Path) -> str:
+    """Time and error of limits of motion, in a sentence."""
+    table = limit_time.load(results)
+    ours = table[table.method == limit_time.OURS[0]].nlargest(1, "faces").iloc[0]
+    steps = table[~table.method.isin(limit_time.OURS)]
+    worst = steps.loc[(steps.missed / steps.asked).idxmax()]
+    phantoms = common.load(results, "phantoms")
+    error = phantoms.error[phantoms.quantity.str.startswith("limit")].abs().max()
+    return element("h2", "Range of motion") + element(
+        "p",
+        f"{ours.motions} limits of motion of a joint of {int(ours.faces):,} faces ({html.escape(ours.joint)}) take {common.digits(ours.total_ms, 2)} ms, building included,"
+        f" and miss no contact; {html.escape(worst.line.split(',')[0])} in steps of {worst.step_deg:g}° misses up to {int(worst.missed)} of {int(worst.asked)}."
+        f" Limits known in closed form are met within {common.digits_up(error, 2)}°. " + element("a", "By method", href="#limit-time") + ".",
     )
 
 
@@ -97,19 +119,17 @@ def stable(results: Path) -> str:
     mine = found.who.isin(stability.OURS)
     ours, others = found[mine], found[~mine]
     bounds = stability.bounds(cases[cases.kind == "ours"]).value_counts()
-    failing = others[others.wrong > 0].groupby("who").family.nunique().sort_values(ascending=False)
-    asked = others.groupby("who").family.nunique()
-    named = ", ".join(f"{who} in {count} of {asked[who]}" for who, count in failing.head(4).items())
+    asked, failing = (rows.groupby("who").family.nunique() for rows in (others, others[others.wrong > 0]))
+    named = ", ".join(f"{who.replace(', ', ' ')} in {count} of {asked[who]}" for who, count in failing.sort_values(ascending=False).items() if who not in (*stability.STEPS.values(), "short cuts"))
     said = (
-        f"In {found.family.nunique()} families of cases, from harmless to extreme, {ours.wrong.sum() or 'none'} of our {ours.asked.sum():,} answers"
-        f" {'is' if ours.wrong.sum() < 2 else 'are'} wrong, and {common.digits(100 * ours.silent.sum() / ours.asked.sum(), 2)} % are left open."
-        f" Of our bounds {bounds.get('broken', 0)} broke; {bounds.get('held', 0):,} held, {bounds.get('infinite', 0) + bounds.get('unanswered', 0):,} say nothing."
-        f" Of {len(asked)} other ways {len(failing)} fail somewhere: {named} families."
+        f"{found.family.nunique()} families of cases, from harmless to extreme. Of {ours.asked.sum():,} answers of ours {ours.wrong.sum()} are wrong and"
+        f" {common.digits(100 * ours.silent.sum() / ours.asked.sum(), 2)} % are withheld; of {bounds.sum():,} bounds {bounds.get('broken', 0)} broke and"
+        f" {bounds.get('held', 0):,} held, and the others say nothing. Families in which others fail: {named}."
     )
     return (
         element("h2", "Stiff and extreme cases")
-        + element("p", html.escape(said) + " " + element("a", "More", href="#stability-overview") + ".")
-        + element("figure", picture.image(results / "figures" / "stability-overview.svg", said))
+        + element("p", html.escape(said) + " " + element("a", "The worst case of each", href="#stability-summary") + ".")
+        + element("figure", picture.image(results / "figures" / "stability-overview.svg", said), id="stability")
     )
 
 
@@ -118,29 +138,24 @@ def left_out(results: Path) -> str:
     table = scene_needs.load(results)
     rows = table[table.joint == table.joint.iloc[0]]
     ours, everything = rows[rows.way == "needed"], rows[rows.question == "everything"].iloc[0]
-    memory = ours.peak_bytes / everything.peak_bytes
 
     def span(share: pd.Series) -> str:
         return f"{common.digits(100 * share.min(), 2)} to {common.digits(100 * share.max(), 2)} %"
 
-    said = (
-        f"A question works out only what it looks at. Alone, on a joint of {int(everything.faces):,} faces, one takes {span(ours.of_all)} of the time"
-        f" and {span(memory)} of the memory of all questions together, and looks at {common.digits(100 * ours.faces_looked_at.max() / everything.faces, 2)} %"
-        " of the faces one by one at most; the answers are the same."
+    same = "the same answers" if ours.differs.max() == 0 else f"answers within {ours.differs.max():.2g} of those"
+    return element("h2", "What is left out") + element(
+        "p",
+        f"Only what a question needs is worked out: asked alone it takes {span(ours.of_all)} of the time and {span(ours.peak_bytes / everything.peak_bytes)} of the"
+        f" memory of all together, gives {same}, and looks at {common.digits(100 * ours.faces_looked_at.max() / everything.faces, 2)} % of"
+        f" {int(everything.faces):,} faces one by one at most. " + element("a", "By question", href="#scene-needs") + ".",
     )
-    return element("h2", "Left out") + element("p", said + " " + element("a", "By question", href="#scene-needs") + ".")
 
 
 def to_check() -> str:
     """How a reader checks any of it."""
-    return element("h2", "Check a claim") + element(
-        "p",
-        "Each table and figure below names the command that measures it again, such as "
-        + element("code", "experiments/reproduce --only table-9")
-        + ": " + element("a", "all claims, with minutes and what to expect", href="#claims") + "."
-        " Each number of the thesis has " + element("a", "its rule", href="#verdicts-all") + ", and each CSV "
-        + element("a", "its program, commit and machine", href="#origins") + ".",
-    )  # fmt: skip
+    command = element("code", "experiments/reproduce --only table-9")
+    claims, origins = element("a", "All claims", href="#claims"), element("a", "where the data come from", href="#origins")
+    return element("h2", "Check a claim") + element("p", f"Each table and figure names its command, such as {command}. {claims}; {origins}.")
 
 
 def limits(results: Path) -> str:
@@ -157,7 +172,7 @@ def limits(results: Path) -> str:
         "The hips of this page are generated unless a real joint is named, and the thesis' two patients are stand-ins: their scans are not"
         " public. 24 of the 63 figures of the thesis are other people's pictures and are "
         + element("a", "not made", href="#thesis-figures") + ".",
-        "Research software, not a medical device: nothing here may guide the treatment of a patient.",
+        "Nothing here may guide the treatment of a patient.",
     ]  # fmt: skip
     return element("h2", "What it does not do") + element("ul", "".join(element("li", text) for text in texts), class_="limits")
 
@@ -166,8 +181,8 @@ def differing(results: Path) -> str:
     """Numbers of the thesis that came out otherwise, each once, with how far they are off and why."""
     table = verdict.counted(common.as_text(results / "verdicts.csv"))
     table = table[table.verdict.isin(["differs", "thesis-misprint"])]
-    table = table.assign(artefact=table.artefact.map(title_of), row=table.row.map(row_label), column=table.column.map(words))
-    table = table[["artefact", "row", "column", "thesis", "measured", "verdict", "note"]].rename(columns=TITLES)
+    table = table.assign(artefact=table.artefact.map(title_of) + ", " + table.row.map(row_label), column=table.column.map(words))
+    table = table[["artefact", "column", "thesis", "measured", "verdict", "note"]].rename(columns=TITLES)
     return fold("Numbers that differ, and why", data_table.grid(table, None, cards=True), "differing", f"{len(table)} of the thesis")
 
 
@@ -181,11 +196,11 @@ def statements(results: Path) -> pd.DataFrame:
 def said(results: Path, job: Job) -> str:
     """All statements; job: the table of them."""
     table = statements(results).rename(columns=TITLES)
-    return fold("Statements of the thesis", data_table.grid(table, None, cards=True) + section.origin(job), job.name, f"{len(table)} that were computed")
+    return fold("Statements of the thesis", data_table.grid(table, None, cards=True) + section.origin(job), job.name, f"{len(table)} that were looked into")
 
 
 def first(results: Path) -> str:
-    """The first screen below the title."""
-    verdicts = common.as_text(results / "verdicts.csv")
-    parts = [main_plot(results), stable(results), left_out(results), to_check()]
-    return totals(verdicts, results) + element("div", "".join(element("section", part) for part in parts), class_="first")
+    """The first screen below the title, in two columns."""
+    left = main_plot(results) + turning(results) + left_out(results) + to_check()
+    columns = element("section", left) + element("section", stable(results))
+    return totals(common.as_text(results / "verdicts.csv"), results) + element("div", columns, class_="first")

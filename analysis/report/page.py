@@ -20,6 +20,7 @@ from pathlib import Path
 
 import common
 from common.jobs import Job
+from common.loading import LABELS_READ
 from report import claims, explore, judged, origins, outcome, picture, reference, section, turn
 from report.artefacts import by_topic, load_jobs, repeats
 from report.markup import element, fold
@@ -30,10 +31,10 @@ PLOTLY = HERE.parent / "node_modules" / "plotly.js-basic-dist-min" / "plotly-bas
 REFERENCE = SOURCE / "results" / "reference"
 TITLE = "impinge: gaps, contact and range of motion of ball-and-socket joints"
 ABOUT = (
-    "From two triangle meshes of a joint, such as femur and pelvis, impinge works out the gap (the joint space along a ray from the"
-    " centre of rotation) at every vertex, whether and where bones touch, and how far the joint turns before they do. A thesis of about 2009,"
-    " <cite>Rapid Impingement Detection Systems for Ball-and-Socket Joints</cite>, did so by tables of radii by direction: on a grid"
-    " of angles (RSID) or along a helix (USID). Here its tables and figures are measured again, and errors, times and limits beyond it."
+    "From the triangle meshes of both bones of a joint, impinge works out the gap at each vertex (the joint space along a ray from the centre"
+    " of rotation), whether and where bones touch, and how far the joint turns before they do. This page measures again what a thesis of about"
+    " 2009 says, <cite>Rapid Impingement Detection Systems for Ball-and-Socket Joints</cite>, and goes beyond it. Research software, not a"
+    " medical device."
 )
 
 
@@ -56,13 +57,13 @@ def provenance(results: Path, jobs: list[Job], kept: Path) -> str:
 def heading(results: Path, jobs: list[Job]) -> str:
     """Title, what it is about, and the pages beside this one."""
     names = {job.name for job in jobs}
-    links = {"The paper (PDF)": "paper.pdf"}
-    links |= {"Joint3D: move a joint": "joint3d.html"} if "joint3d" in names else {}
-    links |= {"README": os.path.relpath(SOURCE / "README.md", results), "All verdicts (CSV)": "verdicts.csv"}
+    links = {"Paper (PDF)": "paper.pdf"}
+    links |= {"Joint3D": "joint3d.html"} if "joint3d" in names else {}
+    links |= {"README": os.path.relpath(SOURCE / "README.md", results), "Verdicts (CSV)": "verdicts.csv"}
     return (
         element("h1", TITLE)
-        + element("p", ABOUT)
         + element("nav", "".join(element("a", title, href=file) for title, file in links.items()))
+        + element("p", ABOUT)
     )
 
 
@@ -85,7 +86,7 @@ def judged_part(results: Path, jobs: list[Job], kept: Path) -> str:
 def page(results: Path, jobs: list[Job]) -> str:
     """The whole document; no joint turns where the graph has no Joint3D."""
     names = {job.name: job for job in jobs}
-    scripts = [PLOTLY, HERE / "report.js", HERE / "explore.js"]
+    scripts = [HERE / "report.js", HERE / "explore.js"]
     parts = [
         element("header", heading(results, jobs)),
         outcome.first(results),
@@ -96,10 +97,10 @@ def page(results: Path, jobs: list[Job]) -> str:
         outcome.said(results, names["findings"]),
         judged_part(results, jobs, REFERENCE),
         claims.section(jobs, REFERENCE),
-        fold("Error against cost, to explore", explore.section(results), "explore", "every method and scene"),
+        fold("Error against cost, to explore", explore.section(results, PLOTLY), "explore", "every method and scene"),
     ]
     if "joint3d" in names:
-        shown = picture.image(results / "figures" / "figure-44.png", "The joint, seen from three sides")
+        shown = picture.image(results / "figures" / "figure-44.png", "The joint, seen from three sides", 400)
         parts.append(fold("A joint to turn by hand", turn.section(shown), "turn"))
         scripts.append(HERE / "turn.js")
     parts += [*topics(results, jobs), origins.section(results, jobs)]
@@ -116,12 +117,13 @@ def page(results: Path, jobs: list[Job]) -> str:
 
 
 def main(options) -> None:
-    """Checks every CSV of the graph against its sidecar, then writes report.html."""
+    """Checks every CSV of the graph against its sidecar, which may name methods, then writes report.html."""
     jobs = load_jobs(Path(options.jobs))
     for job in jobs:
         for output in job.outputs:
             if output.startswith("data/") and output.endswith(".csv"):
-                common.sidecar(options.results / output)
+                for method, text in common.sidecar(options.results / output).get("labels", {}).items():
+                    LABELS_READ.setdefault(method, text)
     common.write(options.out / "report.html", page(options.results, jobs))
 
 

@@ -9,29 +9,40 @@ import io
 import re
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import PIL.Image
 
 import common
 
 MOST_LINES = 50_000  # bytes of an SVG in the page
-WIDEST = 1280  # pixels of a picture in the page: main is 80 rem wide
+WIDEST, SMALLER = 1040, 800  # pixels of a picture in the page, and of a figure of the thesis
+PIXELS = 96  # of a page, in an inch
 
 
-def lighter(path: Path) -> bytes:
-    """A PNG as WebP, no wider than a screen shows: a tenth of the bytes. The file itself stays beside the report."""
+def lighter(path: Path, widest: int) -> bytes:
+    """A PNG as WebP, no wider than a page shows: a tenth of the bytes. The file itself stays beside the report."""
     with PIL.Image.open(path) as picture:
-        if picture.width > WIDEST:
-            picture = picture.resize((WIDEST, round(picture.height * WIDEST / picture.width)), PIL.Image.LANCZOS)
-        webp = io.BytesIO()
-        picture.convert("RGB").save(webp, "WEBP", quality=70, method=4)
-    return webp.getvalue()
+        if picture.width > widest:
+            picture = picture.resize((widest, round(picture.height * widest / picture.width)), PIL.Image.LANCZOS)
+        return webp(picture)
 
 
-def packed(path: Path) -> tuple[str, bytes]:
+def webp(picture: PIL.Image.Image) -> bytes:
+    """The smaller one of a picture with all its pixels and one for the eye."""
+    kinds: list[dict] = [{"quality": 60, "method": 6}, {"lossless": True, "method": 4}]
+    found = []
+    for kind in kinds:
+        file = io.BytesIO()
+        picture.convert("RGB").save(file, "WEBP", **kind)
+        found.append(file.getvalue())
+    return min(found, key=len)
+
+
+def packed(path: Path, widest: int) -> tuple[str, bytes]:
     """Kind and bytes of a picture: drawn lines where they take little room, pixels where those take less."""
     if path.suffix == ".svg" and path.stat().st_size < MOST_LINES:
         return "image/svg+xml", path.read_bytes()
-    return "image/webp", lighter(path.with_suffix(".png"))
+    return "image/webp", lighter(path.with_suffix(".png"), widest)
 
 
 def box(svg: str) -> tuple[int, int]:
@@ -42,24 +53,28 @@ def box(svg: str) -> tuple[int, int]:
     return round(float(found[1]) * 4 / 3), round(float(found[2]) * 4 / 3)  # points, to pixels
 
 
-def size(path: Path) -> tuple[int, int]:
+def size(path: Path, widest: int) -> tuple[int, int]:
     """Width and height, whose ratio keeps the picture's place in the page until it is there."""
     if path.suffix == ".svg":
         return box(path.read_text(encoding="utf-8"))
     with PIL.Image.open(path) as picture:
-        scale = min(1, WIDEST / picture.width)
+        scale = min(1, widest / picture.width)
         return round(picture.width * scale), round(picture.height * scale)
 
 
-def image(path: Path, title: str) -> str:
+def image(path: Path, title: str, widest: int = WIDEST) -> str:
     """The picture inside the page."""
-    kind, content = packed(path)
-    return shown(kind, content, size(path if kind != "image/webp" else path.with_suffix(".png")), title)
+    kind, content = packed(path, widest)
+    return shown(kind, content, size(path if kind != "image/webp" else path.with_suffix(".png"), widest), title)
 
 
-def drawn(svg: str, title: str) -> str:
-    """A picture of the page alone."""
-    return shown("image/svg+xml", svg.encode(), box(svg), title)
+def drawn(figure: plt.Figure, title: str) -> str:
+    """A picture of the page alone, in twice the pixels of a page that is read at arm's length."""
+    with io.BytesIO() as file:
+        figure.savefig(file, dpi=2 * PIXELS)
+        plt.close(figure)
+        with PIL.Image.open(file) as picture:
+            return shown("image/webp", webp(picture), (picture.width // 2, picture.height // 2), title)
 
 
 def shown(kind: str, content: bytes, shape: tuple[int, int], title: str) -> str:

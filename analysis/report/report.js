@@ -26,6 +26,12 @@ function show() {
 text.addEventListener("input", show);
 show();
 
+// On a phone a row of these tables is a card, and each of its cells says what it is.
+document.querySelectorAll("table.cards").forEach((table) => {
+  const titles = [...table.querySelectorAll("thead th")].map((head) => head.textContent);
+  table.querySelectorAll("tbody td").forEach((cell) => { cell.dataset.title = titles[cell.cellIndex]; });
+});
+
 // A link to what is folded opens it, and all that it is folded in.
 function reveal() {
   const target = location.hash.length > 1 && document.getElementById(decodeURIComponent(location.hash.slice(1)));

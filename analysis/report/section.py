@@ -12,18 +12,25 @@ from report.artefacts import heading
 from report.markup import element
 
 
+ABOVE = {"stability-overview": "stability"}  # figures that the first screen has, and where
+
+
 def section(results: Path, job: Job, kept: Path, linked: bool) -> str:
     """A table or figure that opens at its heading; kept: the folder of the reference run; linked: a figure is a file beside the
     page, and not in it.
     """
     shown = job.outputs[0]
-    if linked and job.kind == "figure":
+    if job.name in ABOVE:
+        body = element("p", element("a", "On the first screen", href=f"#{ABOVE[job.name]}") + ".")
+    elif linked and job.kind == "figure":
         file = shown.replace(".svg", ".png")
         body = element("p", element("a", file, href=file))
     elif job.kind == "table":
-        body = data_table.section(results / shown, kept)
+        path = results / shown
+        body = data_table.section(path, kept) + data_table.explained(data_table.meanings(path, results, job.data))
     else:
-        body = element("figure", picture.image(results / shown, job.question))
+        widest = picture.SMALLER if job.name.startswith("figure-") else picture.WIDEST
+        body = element("figure", picture.image(results / shown, job.question, widest))
     title = element("summary", element("h3", html.escape(heading(job))))
     return element("details", title + body + origin(job), id=job.name, class_="artefact")
 

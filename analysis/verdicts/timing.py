@@ -103,7 +103,7 @@ def sides(judgements: dict[str, bool | None], found: dict[str, Range]) -> list[s
     if len(found) == 1 and all_of(judgements.values()) is not None:
         return []
     words = {True: "meets the rule", False: "does not", None: "may or may not"}
-    return [f"{name or 'over rounds and machines'}, {found[name].low:.3g} to {found[name].high:.3g}: {words[good]}"
+    return [f"{name or 'over rounds and machines'}, {common.plain(found[name].low, 3)} to {common.plain(found[name].high, 3)}: {words[good]}"
             for name, good in judgements.items()]
 
 
