@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# @question  Which points of the socket of JOINT do RSID and USID sample at 1 degree (Figure 49 of the thesis)?
+# @question  Which points of a socket (joint JOINT) do RSID and USID sample at 1 degree (Figure 49 of the thesis)?
 # @data      lut_memory
 # @depends   scenes/JOINT-{rsid,usid}/{socket.ply,summary.json}
 # @options   --joint JOINT --name NAME

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# @question  Do RSID and USID give the same gaps on the socket of JOINT (Figure 50 of the thesis)?
+# @question  Do RSID and USID give the same gaps on a socket, of joint JOINT (Figure 50 of the thesis)?
 # @depends   scenes/JOINT-{rsid,usid}/{socket.ply,summary.json}
 # @options   --joint JOINT --name NAME
 # @outputs   png svg pdf

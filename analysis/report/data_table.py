@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pandas as pd
 
-import common
 from report import reference
 from report.markup import cell, element, words
 
@@ -58,7 +57,7 @@ def meanings(path: Path, results: Path, data: list[str]) -> dict[str, str]:
     """What the columns of a table mean, in the words of the data that it is made from; those that say it of another column are left out."""
     said: dict[str, str] = {}
     for name in data:
-        for column in common.sidecar(results / "data" / f"{name}.csv")["columns"]:
+        for column in json.loads((results / "data" / f"{name}.json").read_text())["columns"]:
             said.setdefault(column["name"], column.get("meaning", ""))
     names = pd.read_csv(path, nrows=0).columns
     return {name: said[name] for name in names if said.get(name) and not said[name].startswith(("likewise", "the same", "as in ", "of th"))}

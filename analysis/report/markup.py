@@ -16,12 +16,14 @@ from common.wording import LABELS
 NAMES = {
     "iqr": "spread (IQR)", "rsid": "RSID", "usid": "USID", "rapid": "RAPID", "lut entries": "entries", "fcl": "FCL", "mcewen wiaux": "McEwen and Wiaux",
     "driscoll healy": "Driscoll and Healy", "patient a": "patient A", "patient b": "patient B", "stand in": "stand-in", "rms": "RMS",
-    "p99": "99th percentile", "p9999": "99.99th percentile", "eq16": "Eq. 16", "to grid": "over the grid's", "times needed": "time over ours", "of all": "share of everything",
+    "p99": "99th percentile", "p9999": "99.99th percentile", "eq16": "Eq. 16", "um to grid": "error over the grid's", "to grid": "over the grid's", "times embree": "times as fast as Embree", "embree": "Embree",
+    "nyquist": "Nyquist", "poisson": "Poisson ratio", "times needed": "time over ours", "of all": "share of everything",
      "cpu": "processor time", "i": "ray",
+    "any centre": "any centre within 0.5 mm,",
 }  # fmt: skip
 SIGNS = {
     "deg": "°", "mm": "mm", "mm2": "mm²", "mm3": "mm³", "um": "µm", "nm": "nm", "s": "s", "ms": "ms", "us": "µs", "ns": "ns", "mib": "MiB",
-    "MiB": "MiB", "KiB": "KiB", "MB": "MB", "kB": "kB", "bytes": "bytes", "percent": "%", "hours": "h", "mpa": "MPa",
+    "MiB": "MiB", "KiB": "KiB", "MB": "MB", "kB": "kB", "bytes": "bytes", "percent": "%", "hours": "h", "mpa": "MPa", "rad": "rad",
 }  # fmt: skip
 
 
@@ -56,19 +58,21 @@ def data_script(name: str, value: object) -> str:
 def words(name: str, unit: str = "") -> str:
     """What a reader calls a column: "iqr_ms" is "spread (IQR), ms". Its unit is what its first or last word says, or `unit`."""
     parts = name.replace("_", " ").split()
-    units = [k for k, part in enumerate(parts) if part in SIGNS and (part == "percent" or k in (0, len(parts) - 1))]
+    units = [k for k, part in enumerate(parts) if part in SIGNS and (part in ("percent", "mib") or k in (0, len(parts) - 1))]
     sign = SIGNS[parts.pop(units[-1])] if units else "" if set(parts) & set(SIGNS) else SIGNS.get(unit, "")
     said = " ".join(parts).removesuffix(",")
     for word, text in NAMES.items():
         said = re.sub(rf"(?<!\w){word}(?!\w)", text, said)
-    return ", ".join(part for part in (said, sign) if part)
+    return ",\u00a0".join(part for part in (said, sign) if part)  # a unit does not stand alone on a line
 
 
 def readable(value: str) -> str:
     """What a reader calls the name in a cell: "rsid_thesis" is "RSID, raster of the thesis"."""
     if value in motion_limits.LABELS:
         return motion_limits.LABELS[value]
-    return common.label(value) if value in LABELS or re.fullmatch(r"[a-z0-9]+(_[a-z0-9]+)+", value) else value
+    method, *rest = value.split(", ")  # a line of a plot also says how its table is stored
+    named = method in LABELS or re.fullmatch(r"[a-z0-9]+(_[a-z0-9]+)+", method)
+    return ", ".join([common.label(method), *rest]) if named else value
 
 
 def written(value: str, shorten: bool, name: bool = False) -> tuple[str, bool]:

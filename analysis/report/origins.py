@@ -7,12 +7,10 @@ import html
 import json
 from pathlib import Path
 
-import common
 from common.jobs import Job
 from report.markup import element, fold
 
 FACTS = {
-    "question": "Question",
     "command": "Command",
     "profile": "Profile",
     "seed": "Seed",
@@ -40,7 +38,7 @@ MOST_CASES = 10  # inconclusive timings that are named; the sidecar names all
 def section(results: Path, jobs: list[Job]) -> str:
     """What all of them share, then each CSV that something of the page is made from."""
     names = sorted({name for job in jobs for name in job.data})
-    records = {name: common.sidecar(results / "data" / f"{name}.csv") for name in names}
+    records = {name: json.loads((results / "data" / f"{name}.json").read_text()) for name in names}
     facts = {name: facts_of(record) for name, record in records.items()}
     shared = dict(set.intersection(*(set(own.items()) for own in facts.values())))
     shared = {title: shared[title] for title in FACTS.values() if title in shared}
@@ -49,7 +47,7 @@ def section(results: Path, jobs: list[Job]) -> str:
     for name, own in facts.items():
         link = element("a", f"data/{name}.csv", href=f"data/{name}.csv")
         rest = {title: text for title, text in own.items() if title not in shared}
-        inner += element("details", element("summary", f"{name.replace('_', ' ')}") + element("p", link) + listed(rest), id=f"data-{name}")
+        inner += element("details", element("summary", html.escape(f"{name.replace('_', ' ')}: {records[name]['question']}")) + element("p", link) + listed(rest), id=f"data-{name}")
     return fold("Where the data come from", inner, "origins", f"{len(names)} CSVs")
 
 

@@ -72,7 +72,7 @@ def main_plot(results: Path) -> str:
     said = speed(own, scene)
     return (
         element("h2", "Error against time")
-        + element("p", html.escape(said) + " Lower left is better; | is a proven bound. " + element("a", "One gap, one pose, a million", href="#error-against-time") + ".")
+        + element("p", html.escape(said) + " Lower left is better; | is a proven bound. " + element("a", "One pose, a million", href="#error-against-time") + ".")
         + element("figure", picture.drawn(figure, said))
     )
 
@@ -84,14 +84,14 @@ def speed(own: pd.DataFrame, scene: str) -> str:
         return own[own.line.isin(lines)].nsmallest(1, SHOWN).iloc[0]
 
     chosen = {
-        "our exact cells": best("exact cells"),
+        "our exact cells (measured on the triangles)": best("exact cells"),
         "Embree's rays": best("Embree"),
-        "the thesis' tables of radii (RSID: on a grid of angles, USID: along a helix)": best(*work_precision.THESIS),
+        "the thesis' tables (radii on a grid of angles, RSID, or along a helix, USID)": best(*work_precision.THESIS),
     }
     parts = [f"{name} {common.digits(row[SHOWN] / 1e3, 2)} s, error {common.digits(row.error_um, 2)} µm" for name, row in chosen.items()]
     first = own.nsmallest(1, "one").iloc[0]
     return (
-        f"All gaps of 1,000 poses of {work_precision.scene_title(scene)}, building included: {'; '.join(parts)}."
+        f"All gaps of 1,000 poses of {work_precision.scene_title(scene)}, building included: {'; '.join(parts).replace('error', 'largest error', 1)}."
         f" For a single pose {first.line} is the fastest, {common.digits(first.one, 2)} ms."
     )
 
@@ -106,7 +106,7 @@ def turning(results: Path) -> str:
     error = phantoms.error[phantoms.quantity.str.startswith("limit")].abs().max()
     return element("h2", "Range of motion") + element(
         "p",
-        f"{ours.motions} limits of motion of a joint of {int(ours.faces):,} faces ({html.escape(ours.joint)}) take {common.digits(ours.total_ms, 2)} ms, building included,"
+        f"{ours.motions} limits of motion of a joint of {int(ours.faces):,} faces ({html.escape(ours.joint)}) take {common.digits(ours.total_ms, 2)} ms together, building included,"
         f" and miss no contact; {html.escape(worst.line.split(',')[0])} in steps of {worst.step_deg:g}° misses up to {int(worst.missed)} of {int(worst.asked)}."
         f" Limits known in closed form are met within {common.digits_up(error, 2)}°. " + element("a", "By method", href="#limit-time") + ".",
     )
@@ -146,7 +146,7 @@ def left_out(results: Path) -> str:
     return element("h2", "What is left out") + element(
         "p",
         f"Only what a question needs is worked out: asked alone it takes {span(ours.of_all)} of the time and {span(ours.peak_bytes / everything.peak_bytes)} of the"
-        f" memory of all together, gives {same}, and looks at {common.digits(100 * ours.faces_looked_at.max() / everything.faces, 2)} % of"
+        f" memory of all together, has {same}, and looks at {common.digits(100 * ours.faces_looked_at.max() / everything.faces, 2)} % of"
         f" {int(everything.faces):,} faces one by one at most. " + element("a", "By question", href="#scene-needs") + ".",
     )
 

@@ -31,8 +31,8 @@ PLOTLY = HERE.parent / "node_modules" / "plotly.js-basic-dist-min" / "plotly-bas
 REFERENCE = SOURCE / "results" / "reference"
 TITLE = "impinge: gaps, contact and range of motion of ball-and-socket joints"
 ABOUT = (
-    "From the triangle meshes of both bones of a joint, impinge works out the gap at each vertex (the joint space along a ray from the centre"
-    " of rotation), whether and where bones touch, and how far the joint turns before they do. This page measures again what a thesis of about"
+    "From the triangle meshes of both bones of a joint such as the hip, impinge works out the gap at each vertex (the joint space along a ray from the centre"
+    " of rotation), whether and where bones touch, and how far the joint turns before they do (impingement). This page measures again what a thesis of about"
     " 2009 says, <cite>Rapid Impingement Detection Systems for Ball-and-Socket Joints</cite>, and goes beyond it. Research software, not a"
     " medical device."
 )
@@ -71,7 +71,7 @@ def topics(results: Path, jobs: list[Job]) -> list[str]:
     """The tables and figures, folded by what they are about. Repeats are linked, so that the page stays small."""
     names = {job.name for job in jobs}
     return [
-        fold(title, "".join(section.section(results, job, REFERENCE, repeats(job, names)) for job in found), "", f"{len(found)}")
+        fold(title, "".join(section.section(results, job, REFERENCE, repeats(job, names)) for job in found), "", f"{len(found)} tables and figures")
         for title, found in by_topic(jobs).items()
     ]
 
