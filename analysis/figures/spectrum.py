@@ -78,8 +78,8 @@ def finish(figure: plt.Figure, left: plt.Axes, right: plt.Axes, looks: list) -> 
         axes.set(xscale="log", yscale="log")
         axes.set_xticks([1, 2, 5, 10, 20, 50, 100, 200], ["1", "2", "5", "10", "20", "50", "100", "200"])
         axes.minorticks_off()
-    left.set(xlabel="degree", ylabel="power, mm²", title=f"Power by degree; marked: L of {100 * SHARE:g} %")
-    right.set(xlabel="band limit L", ylabel="mm", title="Root mean square of degrees L and up")
+    left.set(xlabel="degree of the spherical harmonics", ylabel="power, mm²", title=f"Power by degree (marks: {100 * SHARE:g} % lie below)")
+    right.set(xlabel="band limit L", ylabel="root mean square left out, mm", title="What a band limit L leaves out")
     handles = [common.key(surface.replace("_", " "), markeredgecolor="black", **look) for surface, look in looks]
     right.set_ylim(top=8 * right.get_ylim()[1])  # room for what mark_slices() writes
     figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.05, 0.0), ncols=3)
