@@ -46,7 +46,7 @@ def main(options) -> common.Figure:
     titles = [f"a) socket, {len(socket.triangles):,} triangles"]
     for letter, scheme in zip("bc", schemes):
         on_surface = len(sample_points.of_scheme(points, scheme))
-        titles.append(f"{letter}) {common.label(scheme)}: {entries[scheme]:,} entries,\n{on_surface:,} on the socket")
+        titles.append(f"{letter}) {common.label(scheme)}: {entries[scheme]:,} entries,\n{on_surface:,} on the socket (dots)")
     return compose(rows, titles, view, pole)
 
 
