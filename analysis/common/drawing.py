@@ -44,6 +44,7 @@ METHODS = {
     "radial overlap": ("#0072B2", "h", "-"),
     "touch of vertices": ("#2E8BC0", "h", "--"),
     "smallest gap, culled": ("#2E8BC0", "o", "--"),
+    "random poses": ("#6B6B6B", "s", ":"),
     "all gaps": ("#00376B", "^", "-"),
     "embree": ("#D55E00", "^", "-"),
     "cgal": ("#B2182B", "X", "-"),

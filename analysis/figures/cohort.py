@@ -16,7 +16,7 @@ from common import cohort
 
 def main(options) -> common.Figure:
     hips = common.load(options.results, "cohort")
-    figure, panels = plt.subplots(1, 3, figsize=(common.WIDTH, 4.0), sharey=True)
+    figure, panels = plt.subplots(1, 3, figsize=(common.WIDTH, 4.3), sharey=True)
     rotation = hips[cohort.ROTATION]
     bins = np.arange(5 * np.floor(rotation.min() / 5), rotation.max() + 5, 5)
     panels[0].hist(
@@ -25,7 +25,7 @@ def main(options) -> common.Figure:
     for name, style in zip(cohort.GROUPS, ("-", "--", ":")):
         label = f"published mean of {name} ({cohort.AUDENAERT})"
         panels[0].axhline(cohort.GROUPS[name], color="black", linestyle=style, linewidth=1.2, label=label)
-    panels[0].set(xlabel="number of hips", ylabel="internal rotation at 90° of flexion, degrees", title="a) all hips")
+    panels[0].set(xlabel="number of hips", ylabel="internal rotation, degrees", title="a) all hips")
     reach = np.abs(
         [
             rotation - hips.internal_rotation_at_90_low_deg,
@@ -38,10 +38,11 @@ def main(options) -> common.Figure:
     ):
         axes.errorbar(hips[column], rotation, yerr=reach, **look)
         axes.set(xlabel=f"{words}, degrees")
-    panels[1].set_title("b) less with a cam")
-    panels[2].set_title("c) more with torsion")
-    figure.legend(loc="lower center", ncol=2, fontsize=common.SMALL)
-    figure.tight_layout(rect=(0, 0.13, 1, 1))
+    panels[1].set_title("b) by the cam (bars: any centre)")
+    panels[2].set_title("c) by the femoral torsion")
+    figure.suptitle("Internal rotation until the bones touch, at 90° of flexion", x=0.01, ha="left", fontsize=12)
+    figure.legend(loc="lower center", ncol=1, fontsize=common.SMALL)
+    figure.tight_layout(rect=(0, 0.2, 1, 1))
     return figure
 
 
