@@ -38,9 +38,9 @@ def main(options) -> common.Figure:
     ):
         axes.errorbar(hips[column], rotation, yerr=reach, **look)
         axes.set(xlabel=f"{words}, degrees")
-    panels[1].set_title("b) by the cam (bars: any centre)")
+    panels[1].set_title("b) by the cam")
     panels[2].set_title("c) by the femoral torsion")
-    figure.suptitle("Internal rotation until the bones touch, at 90° of flexion", x=0.01, ha="left", fontsize=12)
+    figure.suptitle("Internal rotation until the bones touch, at 90° of flexion (bars: for any centre within half a millimetre)", x=0.01, ha="left", fontsize=12)
     figure.legend(loc="lower center", ncol=1, fontsize=common.SMALL)
     figure.tight_layout(rect=(0, 0.2, 1, 1))
     return figure
