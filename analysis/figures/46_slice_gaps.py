@@ -47,7 +47,7 @@ def draw_gaps(axes: plt.Axes, slices: pd.DataFrame) -> None:
     axes.tick_params(axis="x", labelsize=8)
     axes.grid(axis="x", visible=False)
     axes.set(xlabel="slice i, counted from the middle plane", ylabel="gap to the slice below, degrees")
-    axes.set_title("b) gaps Δφ")
+    axes.set_title("b) gaps Δφ between slices")
 
 
 common.run(main)
