@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One panel of error against cost: a line a method, proven bounds as ticks. Rows have line, step (the words at a point), error,
-cost and bound.
+"""One panel of error against cost: a line a method, proven bounds as ticks. Rows have line, error, cost and bound, and where lines
+are named, name.
 """
 
 import math
@@ -13,7 +13,6 @@ import pandas as pd
 import common
 
 LINE = 11.0  # points between names that would cover one another
-NOTE = 7.5  # points of the words at a point
 
 
 @dataclass(frozen=True)
@@ -60,7 +59,8 @@ def draw(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict) -> Non
     else:
         axes.set_xlim(-1.0, max(10.0, 1.1 * rows.x.max()))
     low, high = axes.get_ylim()
-    axes.set(xlim=axes.get_xlim(), ylim=(low / 1.2, high * 1.3))
+    span = high / low
+    axes.set(xlim=axes.get_xlim(), ylim=(low / span**0.12, high * span**0.03))
     costs(axes)
 
 
@@ -83,18 +83,21 @@ def costs(axes: plt.Axes) -> None:
     axes.minorticks_off()
 
 
-def name_points(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict) -> None:
-    """The words at the points, and the name of each line at its right end, moved up or down until none covers another."""
-    rows = placed(rows, errors)
-    for row in rows[rows.step != ""].itertuples():
-        common.note(axes, row.step, (row.x, row.cost), (0, 5), ha="center", fontsize=NOTE, color=looks[row.line]["color"], zorder=4)
-    ends = rows.drop_duplicates("line").sort_values("cost")
+def name_lines(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict, apart: bool = False) -> None:
+    """The name of each line at the right of its last point; in the right half of the panel below that point or, if `apart`, at the
+    right of the panel. Moved up or down until none covers another.
+    """
+    ends = placed(rows, errors).sort_values(["x", "cost"], ascending=[False, True]).drop_duplicates("line").sort_values("cost")
     points = axes.transData.transform(np.column_stack([ends.x, ends.cost])) * 72.0 / axes.figure.dpi
-    right = axes.bbox.x1 * 72.0 / axes.figure.dpi + 5.0
-    for row, at, height in zip(ends.itertuples(), points, spread(points[:, 1])):
-        colour = looks[row.line]["color"]
-        leader = {"arrowstyle": "-", "color": colour, "linewidth": 0.5, "shrinkB": 4}
-        common.note(axes, row.line, (row.x, row.cost), (right - at[0], height - at[1]), va="center", color=colour, arrowprops=leader)
+    left, right = axes.bbox.x0 * 72.0 / axes.figure.dpi, axes.bbox.x1 * 72.0 / axes.figure.dpi
+    below = (points[:, 0] > (left + right) / 2) & (not apart)
+    for row, at, height, lower in zip(ends.itertuples(), points, spread(points[:, 1] - LINE * below), below):
+        look = {"va": "center", "color": looks[row.line]["color"], "ha": "right" if lower else "left", "path_effects": common.drawing.HALO}
+        away = 4.0 if lower else 8.0
+        if apart and at[0] > (left + right) / 2:
+            away = right + 5.0 - at[0]
+            look["arrowprops"] = {"arrowstyle": "-", "color": look["color"], "linewidth": 0.5, "shrinkB": 4}
+        common.note(axes, row.name, (row.x, row.cost), (away, height - at[1]), **look)
 
 
 def spread(heights: np.ndarray) -> np.ndarray:

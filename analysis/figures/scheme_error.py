@@ -31,7 +31,7 @@ def main(options) -> common.Figure:
     axes.set(
         xlim=span,
         xlabel=f"entries for the same error, {labels[scheme_plot.REFERENCE]} = 1",
-        title="How much memory each scheme takes to interpolate as well",
+        title="Memory that each scheme takes for an equal error",
     )
     axes.legend(loc="upper left", bbox_to_anchor=(-0.02, -0.6 / len(table) - 0.08))
     return figure
