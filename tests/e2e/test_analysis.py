@@ -19,7 +19,7 @@ import pandas as pd  # noqa: E402
 import common  # noqa: E402
 from common import drawing, log_plot, measured, pareto, ranges, tally, timing, work_precision  # noqa: E402
 from findings import finding  # noqa: E402
-from report import data_table, markup, reference  # noqa: E402
+from report import data_table, judged, markup, reference  # noqa: E402
 from verdicts import conchoid as verdicts_conchoid, memory as verdicts_memory  # noqa: E402
 from verdicts import timing as verdicts_timing, verdict  # noqa: E402
 
@@ -564,6 +564,20 @@ class Reference(unittest.TestCase):
         ):
             self.assertEqual(markup.written(value, shorten=True)[0], text)
         self.assertEqual(markup.written("0.50", shorten=False), ("0.50", True))  # the thesis' digits
+        self.assertEqual(markup.written("18690000000000000696272435122", shorten=True)[0], "1.87e+28")
+
+    def test_words(self):
+        """No name of a column stands over one."""
+        names = {"iqr_ms": "spread (IQR), ms", "ns_vertex": "vertex, ns", "measured_mib_rsid": "measured RSID, MiB", "rounds": "rounds"}
+        for name, text in names.items():
+            self.assertEqual(markup.words(name).replace("\u00a0", " "), text)
+        self.assertEqual(markup.readable("rsid_thesis, float"), "RSID, raster of the thesis, float")
+
+    def test_by_rule(self):
+        """A rule stands once, with all that it judges; what no sum counts comes last."""
+        rows = pd.DataFrame([["not counted: a", ""], ["r", "0.1"], ["not counted: b", ""], ["r", "0.1"], ["r", "none"]], columns=["rule", "tolerance"])
+        self.assertEqual([len(found) for found in judged.by_rule(rows).values()], [2, 1, 2])
+        self.assertEqual(list(judged.by_rule(rows)), ["Rule: r (0.1)", "Rule: r", judged.UNCOUNTED])
 
 
 class Memory(unittest.TestCase):
