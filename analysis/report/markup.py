@@ -14,12 +14,12 @@ from common.wording import LABELS
 
 # Words of columns of tables/NAME.csv that are no words of a reader, and the signs of units.
 NAMES = {
-    "iqr": "spread (IQR)", "rsid": "RSID", "usid": "USID", "rapid": "RAPID", "lut entries": "entries", "fcl": "FCL", "mcewen wiaux": "McEwen and Wiaux",
-    "driscoll healy": "Driscoll and Healy", "patient a": "patient A", "patient b": "patient B", "stand in": "stand-in", "rms": "RMS",
-    "p99": "99th percentile", "p9999": "99.99th percentile", "eq16": "Eq. 16", "um to grid": "error over the grid's", "to grid": "over the grid's", "times embree": "times as fast as Embree", "embree": "Embree",
-    "nyquist": "Nyquist", "poisson": "Poisson ratio", "times needed": "time over ours", "of all": "share of everything",
-     "cpu": "processor time", "i": "ray",
-    "any centre": "any centre within 0.5 mm,",
+    "iqr": "spread (IQR)", "rsid": "RSID", "usid": "USID", "rapid": "RAPID", "fcl": "FCL", "lut entries": "entries", "rms": "RMS",
+    "mcewen wiaux": "McEwen and Wiaux", "driscoll healy": "Driscoll and Healy", "nyquist": "Nyquist", "poisson": "Poisson ratio",
+    "patient a": "patient A", "patient b": "patient B", "stand in": "stand-in", "any centre": "any centre within 0.5 mm,", "i": "ray",
+    "p99": "99th percentile", "p9999": "99.99th percentile", "eq16": "Eq. 16", "cpu": "processor time", "of all": "share of everything",
+    "um to grid": "error over the grid's", "to grid": "over the grid's", "times needed": "time over ours",
+    "times embree": "times as fast as Embree", "embree": "Embree",
 }  # fmt: skip
 SIGNS = {
     "deg": "°", "mm": "mm", "mm2": "mm²", "mm3": "mm³", "um": "µm", "nm": "nm", "s": "s", "ms": "ms", "us": "µs", "ns": "ns", "mib": "MiB",

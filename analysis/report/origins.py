@@ -42,12 +42,13 @@ def section(results: Path, jobs: list[Job]) -> str:
     facts = {name: facts_of(record) for name, record in records.items()}
     shared = dict(set.intersection(*(set(own.items()) for own in facts.values())))
     shared = {title: shared[title] for title in FACTS.values() if title in shared}
-    inner = element("p", "Each CSV has a sidecar (.json) with these facts and the SHA-256 of its bytes. The same for all of them:", class_="soft")
-    inner += listed(shared)
+    about = "Each CSV has a sidecar (.json) with these facts and the SHA-256 of its bytes. The same for all of them:"
+    inner = element("p", about, class_="soft") + listed(shared)
     for name, own in facts.items():
-        link = element("a", f"data/{name}.csv", href=f"data/{name}.csv")
+        title = element("summary", html.escape(f"{name.replace('_', ' ')}: {records[name]['question']}"))
+        link = element("p", element("a", f"data/{name}.csv", href=f"data/{name}.csv"))
         rest = {title: text for title, text in own.items() if title not in shared}
-        inner += element("details", element("summary", html.escape(f"{name.replace('_', ' ')}: {records[name]['question']}")) + element("p", link) + listed(rest), id=f"data-{name}")
+        inner += element("details", title + link + listed(rest), id=f"data-{name}")
     return fold("Where the data come from", inner, "origins", f"{len(names)} CSVs")
 
 

@@ -32,7 +32,7 @@ def totals(verdicts: pd.DataFrame, results: Path) -> str:
     rows = verdict.counted(verdicts)
     found = rows.verdict.value_counts()
     tiles = "".join(
-        element("li", element("b", str(found[name])) + " " + element("span", name, class_=f"verdict {name}") + "<br>" + MEANINGS[name])
+        element("li", f"<b>{found[name]}</b> {element('span', name, class_=f'verdict {name}')}<br>{MEANINGS[name]}")
         for name in MARKS
         if name in found
     )
@@ -44,8 +44,9 @@ def totals(verdicts: pd.DataFrame, results: Path) -> str:
     said = statements(results).verdict.value_counts()
     counts = ", ".join(f"{count} {WORDS.get(name, name)}" for name, count in said.items())
     links = {"What differs": "differing", "statements": "findings", "all verdicts": "verdicts-all"}
+    compared = sum(found.get(name, 0) for name in COMPARED)
     return (
-        element("h2", f"Reproduced: {found.get('reproduced', 0)} of the {sum(found.get(name, 0) for name in COMPARED)} numbers of the thesis that can be compared")
+        element("h2", f"Reproduced: {found.get('reproduced', 0)} of the {compared} numbers of the thesis that can be compared")
         + element("ul", tiles, class_="totals")
         + element(
             "p",
@@ -64,8 +65,8 @@ def main_plot(results: Path) -> str:
     points = work_precision.fastest(own, SHOWN)
     points = points.assign(cost=points[SHOWN] / 1e3).rename(columns={"error_um": "error", "bound_um": "bound"})
     looks = common.look(list(dict.fromkeys(work_precision.LINES.values())))
-    figure, axes = plt.subplots(figsize=(6.3, 2.5))
-    figure.subplots_adjust(left=0.09, right=0.8, bottom=0.18, top=0.97)
+    figure, axes = plt.subplots(figsize=(6.3, 2.35))
+    figure.subplots_adjust(left=0.09, right=0.8, bottom=0.19, top=0.97)
     error_panel.draw(axes, points, error_panel.MICROMETRES, looks)
     error_panel.name_lines(axes, points.assign(name=points.line), error_panel.MICROMETRES, looks, apart=True)
     axes.set(ylabel="building and 1,000 poses, s")
@@ -102,12 +103,13 @@ def turning(results: Path) -> str:
     ours = table[table.method == limit_time.OURS[0]].nlargest(1, "faces").iloc[0]
     steps = table[~table.method.isin(limit_time.OURS)]
     worst = steps.loc[(steps.missed / steps.asked).idxmax()]
+    missing = f"{html.escape(worst.line.split(',')[0])} in steps of {worst.step_deg:g}° misses up to {int(worst.missed)} of {int(worst.asked)}"
     phantoms = common.load(results, "phantoms")
     error = phantoms.error[phantoms.quantity.str.startswith("limit")].abs().max()
     return element("h2", "Range of motion") + element(
         "p",
-        f"{ours.motions} limits of motion of a joint of {int(ours.faces):,} faces ({html.escape(ours.joint)}) take {common.digits(ours.total_ms, 2)} ms together, building included,"
-        f" and miss no contact; {html.escape(worst.line.split(',')[0])} in steps of {worst.step_deg:g}° misses up to {int(worst.missed)} of {int(worst.asked)}."
+        f"{ours.motions} limits of motion of a joint of {int(ours.faces):,} faces ({html.escape(ours.joint)}) take"
+        f" {common.digits(ours.total_ms, 2)} ms together, building included, and miss no contact; {missing}."
         f" Limits known in closed form are met within {common.digits_up(error, 2)}°. " + element("a", "By method", href="#limit-time") + ".",
     )
 
@@ -144,19 +146,25 @@ def left_out(results: Path) -> str:
         return f"{common.digits(100 * share.min(), 2)} to {common.digits(100 * share.max(), 2)} %"
 
     same = "the same answers" if ours.differs.max() == 0 else f"answers within {ours.differs.max():.2g} of those"
+    looked = common.digits(100 * ours.faces_looked_at.max() / everything.faces, 2)
+    sooner = ", ".join(rows[rows.times_needed < 1].label.str.split(",").str[0].unique())
     return element("h2", "What is left out") + element(
         "p",
-        f"Only what a question needs is worked out: asked alone it takes {span(ours.of_all)} of the time and {span(ours.peak_bytes / everything.peak_bytes)} of the"
-        f" memory of all together, has {same}, and looks at {common.digits(100 * ours.faces_looked_at.max() / everything.faces, 2)} % of"
-        f" {int(everything.faces):,} faces one by one at most. " + element("a", "By question", href="#scene-needs") + ".",
-    )
+        f"Only what a question needs is worked out: asked alone it takes {span(ours.of_all)} of the time and"
+        f" {span(ours.peak_bytes / everything.peak_bytes)} of the memory of all together, has {same}, and looks at {looked} % of"
+        f" {int(everything.faces):,} faces one by one at most. "
+        + (f"Sooner on a single pose: {sooner}. " if sooner else "")
+        + element("a", "By question", href="#scene-needs") + ".",
+    )  # fmt: skip
 
 
 def to_check() -> str:
     """How a reader checks any of it."""
     command = element("code", "experiments/reproduce --only table-9")
     claims, origins = element("a", "All claims", href="#claims"), element("a", "where the data come from", href="#origins")
-    return element("h2", "Check a claim") + element("p", f"Each table and figure names its command, such as {command}. {claims}; {origins}.")
+    return element("h2", "Check a claim") + element(
+        "p", f"Each table and figure names its command, such as {command}. {claims}; {origins}."
+    )
 
 
 def limits(results: Path) -> str:

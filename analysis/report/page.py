@@ -97,11 +97,11 @@ def page(results: Path, jobs: list[Job]) -> str:
         outcome.said(results, names["findings"]),
         judged_part(results, jobs, REFERENCE),
         claims.section(jobs, REFERENCE),
-        fold("Error against cost, to explore", explore.section(results, PLOTLY), "explore", "every method and scene"),
+        fold("Error against time or memory, to explore", explore.section(results, PLOTLY), "explore", "every method and scene"),
     ]
     if "joint3d" in names:
         shown = picture.image(results / "figures" / "figure-44.png", "The joint, seen from three sides", 400)
-        parts.append(fold("A joint to turn by hand", turn.section(shown), "turn"))
+        parts.append(fold("A joint to turn by hand", turn.section(shown), "turn", "by joint3d.html, beside this page"))
         scripts.append(HERE / "turn.js")
     parts += [*topics(results, jobs), origins.section(results, jobs)]
     style = (HERE / "report.css").read_text()
