@@ -69,7 +69,7 @@ def main_plot(results: Path) -> str:
     figure.subplots_adjust(left=0.09, right=0.8, bottom=0.19, top=0.97)
     error_panel.draw(axes, points, error_panel.MICROMETRES, looks)
     error_panel.name_lines(axes, points.assign(name=points.line), error_panel.MICROMETRES, looks, apart=True)
-    axes.set(ylabel="building and 1,000 poses, s")
+    axes.set(ylabel="time of 1,000 poses, s")
     said = speed(own, scene)
     return (
         element("h2", "Error against time")

@@ -57,7 +57,7 @@ def provenance(results: Path, jobs: list[Job], kept: Path) -> str:
 def heading(results: Path, jobs: list[Job]) -> str:
     """Title, what it is about, and the pages beside this one."""
     names = {job.name for job in jobs}
-    links = {"Paper (PDF)": "paper.pdf"}
+    links = {job.question.partition(":")[0].removeprefix("The ").capitalize(): job.outputs[0] for job in jobs if job.kind == "paper"}
     links |= {"Joint3D": "joint3d.html"} if "joint3d" in names else {}
     links |= {"README": os.path.relpath(SOURCE / "README.md", results), "Verdicts (CSV)": "verdicts.csv"}
     return (

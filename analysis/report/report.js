@@ -52,7 +52,10 @@ all.addEventListener("click", () => {
 
 // A figure fills the width of the page; a click or Enter shows it twice as wide, or back.
 document.querySelectorAll("figure img").forEach((picture) => {
-  const turn = () => picture.classList.toggle("large");
+  const turn = () => {
+    picture.classList.toggle("large");
+    picture.scrollIntoView({ block: "nearest" });
+  };
   picture.tabIndex = 0;
   picture.setAttribute("role", "button");
   picture.addEventListener("click", turn);

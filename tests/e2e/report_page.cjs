@@ -17,7 +17,7 @@ async function firstScreen(page) {
   const screens = await page.evaluate(() => document.documentElement.scrollHeight / innerHeight);
   assert.ok(screens < 12, `the page has ${screens} screens`);
   assert.equal(await page.locator("main details[open]").count(), 0);
-  for (const name of ["paper.pdf", "joint3d.html", "README.md"]) assert.equal(await page.locator(`header a[href$="${name}"]`).count(), 1, name);
+  for (const name of [".pdf", "joint3d.html", "README.md"]) assert.ok(await page.locator(`header a[href$="${name}"]`).count() > 0, name);
   const wide = await page.evaluate(() => innerWidth > 1000);
   for (const place of wide ? [".totals", ".first figure >> nth=0", ".first figure >> nth=1", '.first a[href="#claims"]'] : [".totals"]) {
     const box = await page.locator(place).boundingBox();
