@@ -21,7 +21,7 @@ struct GapEvidence {
   std::span<const double> bound;  // mm, by vertex
 };
 
-/// Counts what gaps and bounds (mm, by vertex) prove of the vertices that have a gap.
+/// Counts the verdicts that gaps and bounds (mm, by vertex) prove, over the vertices that have a gap.
 VerdictCount count_verdicts(std::span<const double> gap, std::span<const double> bound);
 
 /// Verdicts on the vertices of one surface, before and after the exact test.
@@ -44,7 +44,7 @@ struct VertexVerdicts {
             &VertexVerdicts::refuted}};
 };
 
-/// Of the main surfaces, along rays from the centre: no contact by itself.
+/// Verdicts on the main surfaces, along rays from the centre. They alone do not decide contact.
 struct Certificate {
   VertexVerdicts ball;                    // of the first scan
   VertexVerdicts socket;                  // of the second scan
@@ -64,9 +64,9 @@ struct Certificate {
       Field{"socket", "", "of its vertices", &Certificate::socket}};
 };
 
-/// By bound a vertex is clear if gap - bound > 0, impinged if gap + bound <= 0, else undecided; each vertex
-/// is also tested exactly, with or without a gap. Vertices that are not on a surface
-/// (mesh/surface_vertices.hpp) are passed over. Meshes in their centre frames, mm.
+/// By bound a vertex is clear if gap - bound > 0, impinged if gap + bound <= 0, else undecided. Each vertex
+/// is also tested exactly, with or without a gap. Vertices that are on no face (mesh/surface_vertices.hpp)
+/// are passed over. Meshes in their centre frames, mm.
 Certificate certify(const SurfaceOverlay& joint, const Pose& pose, const GapEvidence& ball,
                     const GapEvidence& socket);
 

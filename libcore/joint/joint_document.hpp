@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a document says of the joint that a question was asked of.
+// Describes in a document the joint about which a question was asked.
 #pragma once
 
 #include <algorithm>
@@ -106,7 +106,7 @@ struct JointDocument {
             via(&JointDocument::joint, &SessionJoint::joint, &Joint::warnings)}};
 };
 
-/// What the meshes are called; the parts as their files are.
+/// Names of the meshes; parts are named as their files.
 struct JointNames {
   std::string ball = "ball";
   std::string socket = "socket";
@@ -114,7 +114,7 @@ struct JointNames {
   std::vector<std::string> socket_parts{};
 };
 
-/// It is of the joint, which it needs.
+/// Describes a joint. The result refers to `joint`, which must outlive it.
 inline JointDocument describe(const SessionJoint& joint, const JointNames& names) {
   const auto bone = [](const JointPart& of, const std::string& mesh, const std::vector<std::string>& parts) {
     return BoneDocument{of.validation, of.star_shape, mesh, parts, of.taken};

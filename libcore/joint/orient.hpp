@@ -23,7 +23,7 @@ struct OrientRequest {
   std::optional<double> inclination_deg{};
   std::optional<double> anteversion_deg{};
 
-  /// std::invalid_argument for what cannot be required, and for one angle without the other.
+  /// Throws std::invalid_argument for motions that cannot be required, and for one angle without the other.
   void check() const {
     check_required(require);
     if (inclination_deg.has_value() != anteversion_deg.has_value())
@@ -70,7 +70,7 @@ struct CupAsScanned {
       Field{"state", "", "of the square of the map that holds it", &CupAsScanned::state}};
 };
 
-/// The nearest orientation that is proven free, and the turn that leads there.
+/// The nearest orientation that is proven free, and the turn to it.
 struct NearestFree {
   NearestOrientation to;
   std::optional<Vec3> axis;  // none where nothing turns
@@ -127,11 +127,11 @@ struct MapAreas {
 
 struct OrientAnswer {
   CupAsScanned as_scanned;
-  std::optional<NearestFree> nearest_free;  // none where no square of the map is
+  std::optional<NearestFree> nearest_free;  // none if no square of the map is proven free
   MapExtent map;
   MapAreas area_deg2;
   std::vector<std::string> legs;
-  std::vector<OrientationCell> cells;  // the squares of the map; a leg of theirs is a place in `legs`
+  std::vector<OrientationCell> cells;  // squares of the map; their legs are indices into `legs`
 
   static constexpr std::tuple fields{
       Field{"as_scanned", "",
@@ -145,8 +145,8 @@ struct OrientAnswer {
       Field{"legs", "", "parts of the required paths, in words", &OrientAnswer::legs}};
 };
 
-/// std::runtime_error, one line, if no angles are given and the socket has no rim to trust them to
-/// (hip/measure_list.hpp); std::invalid_argument without a side, and as check().
+/// Throws std::runtime_error, one line, if no angles are given and the socket's rim cannot be trusted
+/// (hip/measure_list.hpp); std::invalid_argument without a side, and as check() does.
 OrientAnswer answer(Session& session, const OrientRequest& request);
 
 }  // namespace impinge

@@ -12,7 +12,7 @@
 namespace impinge {
 namespace {
 
-// Null for a main surface.
+// Name of a part; null for a main surface.
 std::optional<std::string> part_or_null(const std::vector<MeshPart>& parts, std::size_t body) {
   std::string name = body_name(parts, body);
   return name.empty() ? std::nullopt : std::optional(std::move(name));
@@ -31,7 +31,7 @@ void warn(const std::string& line, SessionJoint& joint) {
   if (!line.empty()) joint.joint.warnings.push_back(line);
 }
 
-// `faces` are those that the vertex meets.
+// `faces` are the other surface's.
 SmallestOfPose told_gap(const SessionJoint& joint, const LeastGap& least, const Vec3& vertex,
                         const NearFaces& faces, const Pose& pose) {
   const Surface scanned = least.at.scanned;
@@ -160,7 +160,7 @@ std::string describe_contact(const TouchAnswer& found, const std::string& pose,
                              const ScanContactOptions& options) {
   if (found.contact.state != Contact::yes) return {};
   const auto& gap = found.smallest_gap;
-  const bool of_parts = found.contact.ball_part || found.contact.socket_part;  // rays know nothing of them
+  const bool of_parts = found.contact.ball_part || found.contact.socket_part;  // rays ignore parts
   const bool overlap = gap && gap->gap_mm < 0.0 && !of_parts;
   const std::string depth =
       overlap ? ", " + rounded_up(-gap->gap_mm, 3) + " mm deep along a ray" + place_of(*gap) : "";
