@@ -41,7 +41,7 @@ QuestionCommand certify_question() {
       "this program.",
       "femur.ply pelvis.ply --side right --motion flexion --out proof", &told);
   made.without = {"--keep", "--overlap",
-                  "--ignore-rest-contact"};  // it is about all of the meshes as they lie in their files
+                  "--ignore-rest-contact"};  // a certificate is about the meshes as they lie in their files
   return made;
 }
 

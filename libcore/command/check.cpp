@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Beside the installed program, or in the sources that it was built from.
+// The checker is beside the installed program, or in the sources of this build.
 fs::path checker() {
   std::error_code unreadable;
   const fs::path program = fs::read_symlink("/proc/self/exe", unreadable);
@@ -26,7 +26,7 @@ fs::path checker() {
   return fs::exists(installed, unreadable) ? installed : fs::path(IMPINGE_CHECKER);
 }
 
-// Its exit code.
+// Runs a program and returns its exit code.
 int run(const std::vector<std::string>& words) {
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);

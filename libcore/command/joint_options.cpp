@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A number is one thickness, anything else a file.
+// "scan" takes the scan's smallest gap, a number is one thickness, anything else is a file.
 void set_cartilage(const std::string& text, JointOptions& options) {
   options.cartilage_of_scan = text == "scan";
   if (options.cartilage_of_scan) return;
@@ -43,7 +43,7 @@ void set_cartilage(const std::string& text, JointOptions& options) {
   }
 }
 
-// What the file says and the command line does not.
+// Takes from the file what the command line does not give.
 void use_description(const CLI::App& command, const fs::path& file, JointOptions& options) {
   const JointDescription said = read_description(file);
   const auto open = [&](const char* option) { return command.count(option) == 0; };
@@ -56,7 +56,7 @@ void use_description(const CLI::App& command, const fs::path& file, JointOptions
   if (open("--cartilage") && said.cartilage_mm) options.cartilage_mm = said.cartilage_mm;
 }
 
-// A file of bone, or the largest of its pieces alone, which `said` then tells.
+// Reads a file of bone. With keep_largest it keeps only the largest piece, and `said` tells of the others.
 TriangleMesh read_file(const fs::path& file, bool keep_largest, std::vector<std::string>& said) {
   TriangleMesh mesh = read_mesh(file);
   if (!keep_largest) return mesh;
@@ -65,7 +65,7 @@ TriangleMesh read_file(const fs::path& file, bool keep_largest, std::vector<std:
   return mesh;
 }
 
-// A part is called as its file is.
+// A part is named after its file.
 NamedMesh read_bone(const fs::path& file, const std::vector<fs::path>& parts, bool keep_largest,
                     std::vector<std::string>& said) {
   NamedMesh bone{file.string(), read_file(file, keep_largest, said)};

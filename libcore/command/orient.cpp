@@ -22,7 +22,7 @@ std::string orientation_csv(const OrientAnswer& found) {
   return to_csv(table);
 }
 
-// Where to turn it, and how.
+// Where to turn the socket, and how.
 std::string nearest_text(const OrientAnswer& found) {
   if (!found.nearest_free) return "nearest free        none: no square of the map is\n";
   const auto& [to, axis, at_least_deg] = *found.nearest_free;
