@@ -16,7 +16,7 @@ namespace impinge::lab {
 namespace {
 
 constexpr double kOnLine = 1e-9;    // of a grid step: a line that close to an edge counts as on it
-constexpr double kOffEntry = 4e-9;  // radians: delta of the header
+constexpr double kOffEntry = 4e-9;  // radians: delta of thesis_raster_bound()
 
 // The stretch of one grid row inside a triangle, in columns, with the distance at either end.
 struct Span {
@@ -87,7 +87,7 @@ void draw(const ChartTriangle& triangle, Layer layer, RadialTable<Rsid>& table) 
   }
 }
 
-// Extents of a drawn triangle, named as in the header.
+// Extents of a drawn triangle; names as at thesis_raster_bound().
 struct Extents {
   double dphi;
   double dtheta;
@@ -107,7 +107,7 @@ struct Extents {
   }
 };
 
-// E1 + E2 of the header.
+// E1 + E2 of thesis_raster_bound().
 double second_order_bound(const TriangleCone& cone, const Extents& t, double largest_slope) {
   const double length2 = t.dphi * t.dphi + t.s * t.s * t.dtheta * t.dtheta;
   const double bend = t.c * t.dtheta * std::sqrt(t.s * t.s * t.dtheta * t.dtheta + 4.0 * t.dphi * t.dphi);
