@@ -47,7 +47,6 @@ double stiffness(const TriangleMesh& mesh);
 // u, and the 4 roundings that normalise a direction or read a mesh_exact table add 8: 60 in all. If a plane
 // holds the centre but for 20 roundings of its size, the answer is a corner's. It is off by less than half of
 // the radius if no corner is twice as far as another: 20 x 4 / 2 at most.
-// less than half of the radius if no corner is twice as far as another one: 20 x 4 / 2 at most.
 inline constexpr double kRadiusThreshold = 60.0;
 // The derivation in words, for the results.
 inline constexpr const char* kRadiusDerivation =
