@@ -58,8 +58,7 @@ def read_ply(data):
 
 
 class Body:
-    """All surfaces of a side. Points are relative to the centre, in whole numbers of 1 / unit mm, each once; a face is three of
-    them."""
+    """All surfaces of a side: points from the centre, in whole numbers of 1 / unit mm, each once; and faces, each by three of them."""
 
     def __init__(self, paths, centre):
         rows, triangles, self.files = [], [], []  # triangles: of each file
@@ -175,8 +174,7 @@ def check_cuts(head, ball, socket, lines):
 
 
 def is_inside(x, points, files, hollow):
-    """Is x inside one of the files, with an odd number of its faces above? The first file may be hollow. None if x is below an
-    edge."""
+    """Is x in one of the files, with an odd number of its faces above? The first may be hollow. None if an edge is above x."""
     low, high, odd = list(map(math.floor, x)), list(map(math.ceil, x)), [hollow] + [False] * (len(files) - 1)
     for k, f in ((k, f) for k, faces in enumerate(files) for f in faces):
         a, b, c = (points[i] for i in f)

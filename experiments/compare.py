@@ -7,7 +7,6 @@ of each CSV differ, apart from times; and the ratios of the times, second over f
 medians: their interquartile ranges, as shares, in quadrature. A ratio that differs from 1 by less than its spread means nothing.
 Rows are compared if both runs have as many and their words agree. Exit code 0 if only times changed, 1 if anything else did, 2
 for a folder that is no run. Standard library only.
-
 """
 
 from __future__ import annotations

@@ -5,7 +5,6 @@ of any other run.
 
 It refuses, with one line that says why, unless the run has the full profile and is complete, every CSV has the bytes that its
 sidecar vouches for, and all of them come from one commit without changes. Standard library only.
-
 """
 
 from __future__ import annotations

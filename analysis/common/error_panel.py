@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One panel of error against cost: a line a method, its settings written at their points, proven bounds as ticks. Rows have
-line, step (the words at a point), error, cost and bound.
+"""One panel of error against cost: a line for each method with the settings written at its points, and proven bounds as ticks.
+Rows have line, step (the words at a point), error, cost and bound.
 """
 
 from dataclasses import dataclass
@@ -17,7 +17,8 @@ NOTE = 6.5  # points of the words at a point
 
 @dataclass(frozen=True)
 class Errors:
-    """The axis of errors: what is less than `least` stands there. Names of lines that end beyond `near` stand at the right."""
+    """The axis of errors. Values below `least` are drawn at `least`; the name of a line that ends beyond `near` is on the
+    right."""
 
     least: float
     near: float
@@ -34,7 +35,7 @@ PERCENT = Errors(0.0, 0.2, "overlaps missed or invented, % of poses", most=100.0
 
 
 def grid_of(lines: int, height: float, foot: str) -> tuple[plt.Figure, np.ndarray]:
-    """Lines of two panels, each with room for its labels at the right, and words below them all."""
+    """Rows of two panels, each with room for its labels on the right, and words below all of them."""
     figure, grid = plt.subplots(lines, 2, figsize=(common.WIDTH, height * lines), squeeze=False)
     inch = 1.0 / height / lines
     figure.subplots_adjust(left=0.07, right=0.865, bottom=0.85 * inch, top=1.0 - 0.3 * inch, wspace=0.68, hspace=0.32)
@@ -43,7 +44,7 @@ def grid_of(lines: int, height: float, foot: str) -> tuple[plt.Figure, np.ndarra
 
 
 def draw(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict) -> None:
-    """All of it but title and label of the cost."""
+    """Draws the panel without its title and the label of the cost."""
     rows = rows[np.isfinite(rows.error)].copy()
     rows["x"] = rows.error.clip(lower=errors.least)
     rows["bound"] = rows.bound.clip(errors.least, errors.most)
@@ -68,7 +69,7 @@ def draw(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict) -> Non
 
 
 def write_steps(axes: plt.Axes, rows: pd.DataFrame, looks: dict) -> None:
-    """The words at the points, the ends of a line first; those that would cover others are left out."""
+    """Writes the words at the points, the ends of a line first. Leaves out words that would cover others."""
     taken = []
     place = rows.groupby("line").cumcount()
     ends = (place == 0) | (rows.groupby("line").cumcount(ascending=False) == 0)
@@ -85,7 +86,7 @@ def write_steps(axes: plt.Axes, rows: pd.DataFrame, looks: dict) -> None:
 
 
 def label(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict) -> None:
-    """Names at the right, or beside what is near to exact, moved up or down until none covers another."""
+    """Writes names on the right, or beside what is near to exact, moved up or down until none covers another."""
     figure = axes.figure
     ends = rows.sort_values("x", kind="stable").drop_duplicates("line", keep="last")
     for near in (True, False):
@@ -112,7 +113,7 @@ def label(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict) -> No
 
 
 def spread(heights: np.ndarray) -> np.ndarray:
-    """Rising heights, moved as little as it takes to be LINE apart."""
+    """Moves ascending heights as little as possible until they are at least LINE apart."""
     placed = heights.astype(float).copy()
     for _ in range(200):
         gaps = np.diff(placed)
