@@ -5,7 +5,7 @@
 # @depends   results/reference/tables/findings.csv
 """Statements of the thesis, of the note that suspected it, and of other papers, that a computation confirms or refutes.
 
-Each module of MODULES has a function a statement, which returns a Finding; every number in them comes from data/NAME.csv.
+Each module of MODULES has a function for each statement, which returns a Finding; every number in them comes from data/NAME.csv.
 """
 
 import re
@@ -67,7 +67,7 @@ def mathematical(text: str) -> str:
 
 
 def latex(rows: pd.DataFrame) -> str:
-    """What does not hold, as a table over several pages: its head is repeated. The CSV has all."""
+    """The statements that do not hold, as a table over several pages whose head is repeated. The CSV has all."""
     body = []
     for row in rows[rows.verdict.isin(["wrong", "misprint"])].itertuples():
         source = f"~\\cite{{{row.source}}}" if row.source else ""
