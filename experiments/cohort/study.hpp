@@ -1,20 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A study: which hips, and the questions about each. It is a JSON file with
-//   title       text
-//   hips        number of hips
-//   seed        of all random numbers, a whole number of 0 or more
-//   faces       of a surface, about
-//   start       a preset (hip/hip_presets.hpp); it gives the parameters that are not named below
-//   parameters  NAME: number, or NAME: {distribution, source} with the numbers of the distribution
-//               (cohort/spread.hpp): mean and sd; median and sd_of_log; least and most, which the first three
-//               distributions may also have
-//   correlations  [{between: [NAME, NAME], r, source}], of the normal scores of two parameters
-//   questions   some of limits, morphology, zones, volume
-//   zone_gap_mm   gaps up to this make a zone; 2 if not given
-//   volume_every  one of so many hips is asked for its motion volume; 1 if not given
-//   check_every, check_faces   one of so many hips is also made with so many faces, and asked again
-// In place of hips, faces, start, parameters, correlations and check_* it may have
-//   joints      a folder of real joints (harness/real_joints.hpp); hip j is the j-th by name
+// A study: which hips, and the questions about each.
 #pragma once
 
 #include <cstdint>
@@ -58,6 +43,23 @@ struct Study {
 
 // Reads a study; `hips` replaces its own number. Throws std::runtime_error, one line that names the file, the
 // key, the reason and the cure.
+//
+// A study is a JSON file with
+//   title       text
+//   hips        number of hips
+//   seed        of all random numbers, a whole number of 0 or more
+//   faces       of a surface, about
+//   start       a preset (hip/hip_presets.hpp); it gives the parameters that are not named below
+//   parameters  NAME: number, or NAME: {distribution, source} with the numbers of the distribution
+//               (cohort/spread.hpp): mean and sd; median and sd_of_log; least and most, which the first three
+//               distributions may also have
+//   correlations  [{between: [NAME, NAME], r, source}], of the normal scores of two parameters
+//   questions   some of limits, morphology, zones, volume
+//   zone_gap_mm   gaps up to this make a zone; 2 if not given
+//   volume_every  one of so many hips is asked for its motion volume; 1 if not given
+//   check_every, check_faces   one of so many hips is also made with so many faces, and asked again
+// In place of hips, faces, start, parameters, correlations and check_* it may have
+//   joints      a folder of real joints (harness/real_joints.hpp); hip j is the j-th by name
 Study read_study(const std::filesystem::path& file, std::optional<std::size_t> hips);
 
 }  // namespace impinge::lab

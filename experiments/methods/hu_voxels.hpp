@@ -3,11 +3,6 @@
 // their ranges of motion, as the thesis describes it (Section 2.4, Eq. 1-4). A table marks the socket's
 // voxels, with a byte for each of the n^3 voxels of its box. The middle of each voxel of the ball is moved
 // and looked up; a mark there is a collided point. The method gives no distance.
-//
-// Voxels are those that a face meets, since the socket of a joint is an open surface without an inside.
-// Proven: at a hit the surfaces are at most 3/2 sqrt(3) h apart, h the side of a voxel. The middle of a
-// ball's voxel is within sqrt(3)/2 h of the ball's surface, and a point of a marked voxel within sqrt(3) h of
-// the socket's. A contact is missed if no middle falls into a marked voxel.
 #pragma once
 
 #include <array>
@@ -64,6 +59,10 @@ VoxelTable make_voxel_table(const std::vector<Voxel>& voxels, double size);
 // Largest distance of the surfaces at a hit, in sides of a voxel.
 inline constexpr double kVoxelReach = 1.5 * std::numbers::sqrt3;
 
+// Voxels are those that a face meets, since the socket of a joint is an open surface without an inside.
+// Proven: at a hit the surfaces are at most 3/2 sqrt(3) h apart, h the side of a voxel. The middle of a
+// ball's voxel is within sqrt(3)/2 h of the ball's surface, and a point of a marked voxel within sqrt(3) h of
+// the socket's. A contact is missed if no middle falls into a marked voxel.
 class HuVoxels {
  public:
   // Meshes in their centre frames, mm; `size` is the side of a voxel, mm. Throws as surface_voxels() does.

@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ways in which the thesis fills its tables besides its raster, and how it compares (Algorithm 2).
-//
-// First the pairwise sampling with which the thesis compares (Section 3.2, Table 3): "scan and test each
-// sampling ray against points inside area of all triangles to find out the exact interfered triangle with the
-// ray and then sample the distance", O(m n). It is done literally: each pair of a ray and a triangle by
-// itself, with nothing prepared and nothing skipped. The ray meets the plane of the triangle in a point x = r
-// u, r = n.a / (n.u). x is inside if the areas of the three triangles that it makes with the edges add up to
-// the triangle's area. The thesis does not print its test; RayCaster (table/pairwise.hpp) does the same work
-// with edge planes that are prepared once per face, and with exact signs.
 #pragma once
 
 #include <algorithm>
@@ -24,6 +16,14 @@
 #include "table/rim.hpp"
 
 namespace impinge::lab {
+
+// The pairwise sampling with which the thesis compares (Section 3.2, Table 3): "scan and test each
+// sampling ray against points inside area of all triangles to find out the exact interfered triangle with the
+// ray and then sample the distance", O(m n). It is done literally: each pair of a ray and a triangle by
+// itself, with nothing prepared and nothing skipped. The ray meets the plane of the triangle in a point x = r
+// u, r = n.a / (n.u). x is inside if the areas of the three triangles that it makes with the edges add up to
+// the triangle's area. The thesis does not print its test; RayCaster (table/pairwise.hpp) does the same work
+// with edge planes that are prepared once per face, and with exact signs.
 
 // How much larger than the triangle's area the sum of the three areas may be for x to count as inside, as a
 // share of it. It allows for rounding at points on an edge, and is far less than a face.

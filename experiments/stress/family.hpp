@@ -2,17 +2,6 @@
 // A family of stiff or extreme cases, and the result of one case. To add a family, add one file to
 // stress/families/: NAME.cpp defines StabilityFamily NAME_family() in namespace impinge::lab, and the build
 // finds it.
-//
-// An input has a condition number: the relative change of the answer, in units of the largest relative change
-// of the data, that no algorithm in that arithmetic can avoid. With unit roundoff u, an algorithm is as
-// stable as possible if its relative error is a small number times condition * u. The threshold is how large
-// that number may be; it is worked out from the operations of the algorithm before anything is measured. It
-// covers the worst of all inputs, so it is far above what is measured; `seen` limits that more tightly.
-//
-// A case is stiff if its condition number is above 1000: 1 + tan psi of a radius, psi between ray and normal
-// (dr / d angle = r tan psi); R / (|d distance / d angle| angle) of a first contact; R / distance of bones
-// that pass one another. A case is extreme if its condition is smaller but its parameter is within 1e-6 of a
-// place where the answer jumps or is not defined, or beyond it.
 #pragma once
 
 #include <array>
@@ -39,6 +28,16 @@ enum class Scalar { float32, float64 };
 std::string_view name_of(Scalar scalar);  // "float", "double"
 double unit_roundoff(Scalar scalar);      // 2^-24, 2^-53
 
+// An input has a condition number: the relative change of the answer, in units of the largest relative change
+// of the data, that no algorithm in that arithmetic can avoid. With unit roundoff u, an algorithm is as
+// stable as possible if its relative error is a small number times condition * u. The threshold is how large
+// that number may be; it is worked out from the operations of the algorithm before anything is measured. It
+// covers the worst of all inputs, so it is far above what is measured; `seen` limits that more tightly.
+//
+// A case is stiff if its condition number is above 1000: 1 + tan psi of a radius, psi between ray and normal
+// (dr / d angle = r tan psi); R / (|d distance / d angle| angle) of a first contact; R / distance of bones
+// that pass one another. A case is extreme if its condition is smaller but its parameter is within 1e-6 of a
+// place where the answer jumps or is not defined, or beyond it.
 inline constexpr double kStiff = 1000.0;  // a condition number above it
 inline constexpr double kExtreme = 1e-6;  // distance of the parameter from such a place, relative or in mm
 

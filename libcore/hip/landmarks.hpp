@@ -3,12 +3,6 @@
 /// Anatomical frames from points that a person has marked, after Wu et al. 2002 (ISB recommendation,
 /// doi:10.1016/S0021-9290(01)00222-6), written in our order of axes (x right, y anterior, z superior; theirs
 /// are z, x and y).
-///
-/// Pelvis: x runs along the line from the left to the right ASIS. Wu et al. level the frame by the midpoint
-/// of the PSIS, which a scan of a hip rarely shows. Here the anterior pelvic plane, through both ASIS and the
-/// middle of the pubic tubercles (Lewinnek et al. 1978), is upright. The angle between that plane and the
-/// frame of the scan is reported as pelvic tilt, since no landmark says how the patient stands. Femur: z runs
-/// from the middle of the epicondyles to the centre of rotation; x lies in the plane of these three points.
 #pragma once
 
 #include <optional>
@@ -44,6 +38,12 @@ struct AnatomicalFrames {
 /// farther apart than in any human (another unit than mm) or on one line, the knee is farther from the centre
 /// than in any human, or left and right, above and below, or medial and lateral contradict the axes, the side
 /// or the centre.
+///
+/// Pelvis: x runs along the line from the left to the right ASIS. Wu et al. level the frame by the midpoint
+/// of the PSIS, which a scan of a hip rarely shows. Here the anterior pelvic plane, through both ASIS and the
+/// middle of the pubic tubercles (Lewinnek et al. 1978), is upright. The angle between that plane and the
+/// frame of the scan is reported as pelvic tilt, since no landmark says how the patient stands. Femur: z runs
+/// from the middle of the epicondyles to the centre of rotation; x lies in the plane of these three points.
 AnatomicalFrames anatomical_frames(const Landmarks& landmarks, const Vec3& centre, std::optional<Side> side,
                                    const Eigen::Matrix3d& axes);
 

@@ -10,15 +10,6 @@
 //   many poses: all gaps                      exact cells (gap/simd)   all       none
 //
 // Gaps on the faces are exact but for rounding, and for one pose they take less time than to fill a table.
-//
-// Which vertices are needed: a look-up along x averages entries within the stencil radius s of x. NearFaces
-// with a margin of s (0 where the faces answer) gives a range that holds the radii of all of them, so it
-// holds the answer. Before anything is filled this tells
-//   no face within the margin             there is no gap
-//   upper end of the gap, not at a rim    some gap is as small as that; the least of these ends is the limit
-//   lower end of the gap above the limit  the vertex does not have the smallest gap
-// For `touch`, a limit above 0 counts as 0. A table has no answer in cells beside a rim, and these may reach
-// beyond the margin. If therefore no gap keeps the limit (limit_kept()), all vertices are looked at.
 #pragma once
 
 #include <array>
@@ -80,6 +71,15 @@ using FacesMet = std::array<const NearFaces*, 2>;
 /// All vertices that are on a face.
 NeededVertices all_vertices(const BallSocketPair& joint, const SceneNeeds& needs);
 /// The vertices that can change the answer. Meshes in their centre frames, mm.
+///
+/// A look-up along x averages entries within the stencil radius s of x. NearFaces with a margin of s (0 where
+/// the faces answer) gives a range that holds the radii of all of them, so it holds the answer. Before
+/// anything is filled this tells
+///   no face within the margin             there is no gap
+///   upper end of the gap, not at a rim    some gap is as small as that; the least of these ends is the limit
+///   lower end of the gap above the limit  the vertex does not have the smallest gap
+/// For `touch`, a limit above 0 counts as 0. A table has no answer in cells beside a rim, and these may reach
+/// beyond the margin. If therefore no gap keeps the limit (limit_kept()), all vertices are looked at.
 NeededVertices needed_vertices(const BallSocketPair& joint, const SceneNeeds& needs, const FacesMet& faces);
 /// The entries that the look-ups of these vertices read.
 EntrySet needed_entries(const BallSocketPair& joint, const SceneNeeds& needs, const NeededVertices& vertices,

@@ -1,6 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Poses from a file.
+/// Reads poses from a file: a CSV, or a motion of OpenSim or OpenSense.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "joint/pose_list.hpp"
+
+namespace impinge {
+
+/// Reads poses; the file's extension says whether it is from OpenSim. A row with an empty or NaN field is
+/// kept as not tracked. Throws FileError with the number of the line.
+///
 /// A CSV has commas, semicolons or tabs between its words (with the latter two a decimal comma is read), with
 /// or without quotes. Its header has names in any case and no number; rows that are matrices of 12 or 16
 /// numbers need none. Columns `frame` and `time` are kept, `Valid_pose` is not read. The others are one of:
@@ -26,18 +39,6 @@
 /// femur_r. Sensors sit on their bones in any direction. As in OpenSense, the first row that has both is the
 /// neutral pose, in which the person faces along x. (Data of sensors whose z is up must be turned before, as
 /// OpenSense's sensor_to_opensim_rotations does.) Bodies are neutral where their axes are parallel.
-#pragma once
-
-#include <filesystem>
-#include <optional>
-#include <string_view>
-
-#include "joint/pose_list.hpp"
-
-namespace impinge {
-
-/// Reads poses; the file's extension says whether it is from OpenSim. A row with an empty or NaN field is
-/// kept as not tracked. Throws FileError with the number of the line.
 PoseList read_poses(const std::filesystem::path& file, std::optional<Side> side);
 
 /// Reads poses from the bytes of a file.

@@ -1,23 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bone to cut from a session's ball or socket so that required motions are reached
 // (change/resection.hpp), with checks of the joint and exact tests of what is left.
-//
-// A cut is refused if
-//   * the pose of the scan already touches, or has a gap below the clearance;
-//   * the mesh of the ball ends under the socket on the way: the missing bone may be in the way too;
-//   * it reaches the bearing surface of the ball: vertices that face the socket in the pose of the scan and
-//     lie within SphereFit::trim of the sphere that fits the head (hip/sphere_fit.hpp);
-//   * it reaches the bearing surface of the socket: vertices within BallFitOptions::trim of the sphere of
-//     measure_acetabulum() (hip/hip_measures.hpp) that lie farther inside the rim than may be trimmed, so
-//     that the sphere goes on all round them at that distance. A socket without a rim is not checked;
-//   * it thins the neck too much: the widest round bar about the neck axis (hip/hip_measures.hpp) that the
-//     cut leaves whole is narrower than asked for. It is checked on a ball with a neck;
-//   * bone beside the joint stops a required motion after the cut (limits/body_pairs.hpp). Such parts are not
-//     cut, and need no clearance.
-//
-// The least cut of all removes bone along the same rays, from the same radius on, so the checks of bearing
-// surface and neck hold for it as well. The socket has no least cut; the ball's
-// is refused if the socket has no wall or there is bone beside the joint.
 #pragma once
 
 #include <array>
@@ -181,6 +164,23 @@ struct ResectAnswer : CutSize {
 
 /// Throws std::runtime_error, one line with the place in the frame of the meshes, if the cut is refused;
 /// std::invalid_argument as check() does, or if a motion needs a side.
+///
+/// A cut is refused if
+///   * the pose of the scan already touches, or has a gap below the clearance;
+///   * the mesh of the ball ends under the socket on the way: the missing bone may be in the way too;
+///   * it reaches the bearing surface of the ball: vertices that face the socket in the pose of the scan and
+///     lie within SphereFit::trim of the sphere that fits the head (hip/sphere_fit.hpp);
+///   * it reaches the bearing surface of the socket: vertices within BallFitOptions::trim of the sphere of
+///     measure_acetabulum() (hip/hip_measures.hpp) that lie farther inside the rim than may be trimmed, so
+///     that the sphere goes on all round them at that distance. A socket without a rim is not checked;
+///   * it thins the neck too much: the widest round bar about the neck axis (hip/hip_measures.hpp) that the
+///     cut leaves whole is narrower than asked for. It is checked on a ball with a neck;
+///   * bone beside the joint stops a required motion after the cut (limits/body_pairs.hpp). Such parts are
+///     not cut, and need no clearance.
+///
+/// The least cut of all removes bone along the same rays, from the same radius on, so the checks of bearing
+/// surface and neck hold for it as well. The socket has no least cut; the ball's is
+/// refused if the socket has no wall or there is bone beside the joint.
 ResectAnswer answer(Session& session, const ResectRequest& request);
 
 }  // namespace impinge
