@@ -44,7 +44,7 @@ struct NamedSurface {
   std::vector<double> radii;  // mm, of a Gauss grid; NaN where there is no surface
 };
 
-// A band limit must carry one of these shares of the power of degrees 1 and up, or leave out at most a rest.
+// A band limit must carry one of these shares of the power of degrees 1 and up, or leave out only a rest.
 constexpr std::array kPowerShares{0.99, 0.999, 0.9999};
 
 constexpr std::array kRests{0.1, 0.05, 0.02};  // mm, root mean square over the sphere

@@ -69,7 +69,7 @@ Plane plane_through(const std::vector<Vec3>& points) {
   return {normal, normal.dot(mean)};
 }
 
-// Of all planes through three of the points, takes the one with most points on it; returns these points.
+// Of planes through three random points takes the one that most points lie on; returns these points.
 std::vector<Vec3> most_on_a_plane(const std::vector<Vec3>& points, double tolerance) {
   std::mt19937 random(kSeed);
   const auto pick = [&]() -> const Vec3& { return points[random() % points.size()]; };

@@ -32,7 +32,7 @@ void turn_over(TriangleMesh& mesh) {
   for (Face& face : mesh.faces) std::swap(face[1], face[2]);
 }
 
-// The number of short-edged faces goes with 1 / spacing^2, up to rounding.
+// The number of faces goes with 1 / spacing^2, up to rounding.
 double usual_spacing(const HipSurface& hip, std::size_t faces) {
   return hip.head_radius * std::sqrt(30.0 / static_cast<double>(faces));
 }
