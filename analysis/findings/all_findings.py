@@ -59,9 +59,9 @@ def mathematical(text: str) -> str:
         "floor(T / dx)": "$\\lfloor T/\\Delta x\\rfloor$",
         "own dx": "own $\\Delta x$",
         "n - 1": "$n-1$",
-        " x ": "\\,$\\times$\\,",
     }.items():
         text = text.replace(plain, latex_text)
+    text = re.sub(r"(?<=\d) x (?=\d)", r"\\,$\\times$\\,", text)
     text = re.sub(r"(?<![\w-])-(?=\d)", "$-$", text)
     return re.sub(r"(\d(?:\.\d+)?)e([+-])0?(\d+)", lambda m: f"${m[1]}\\cdot10^{{{m[2].strip('+')}{m[3]}}}$", text)
 
