@@ -27,7 +27,7 @@ class ExampleScheme {
  public:
   static constexpr std::string_view name = "example_scheme";           // as in file names and CSVs
   static constexpr std::string_view label = "Example scheme";          // as in legends
-  static constexpr std::string_view citation = "thesis, Section 3.1";  // as in the paper's table
+  static constexpr std::string_view citation = "thesis, Section 3.1";  // as in the papers' table
 
   // A default, and one for a spacing at the equator. std::invalid_argument where there is none.
   ExampleScheme() = default;
