@@ -260,7 +260,7 @@ def paper_jobs(setup: Setup, made: list[str]) -> list[Job]:
     reproducible = ["SOURCE_DATE_EPOCH=0", "FORCE_SOURCE_DATE=1", f"TEXINPUTS={folders}", f"BIBINPUTS={folders}"]
     latex = ["env", *reproducible, "latexmk", "-pdf", "-silent", "-halt-on-error", "-file-line-error"]
     return [
-        Job(name, "paper", question, f"paper/{name}.tex", [f"{name}.pdf"], depends, [*latex, f"{SOURCE}/paper/{name}.tex"], [3, 3])
+        Job(name, "paper", question, f"paper/{name}.tex", [f"{name}.pdf"], depends, [*latex, f"{SOURCE}/paper/{name}.tex"], [2, 2])
         for name, question in PAPERS.items()
     ]
 

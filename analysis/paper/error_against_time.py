@@ -21,6 +21,9 @@ import common
 from common import pareto, work_precision
 
 
+NEGLIGIBLE = 0.001  # micrometres, of a stage of the budget
+
+
 def facts(results: Path) -> dict[str, str]:
     """All of them."""
     said = {f"work:{name}": text for name, text in work_precision.sentences(results).items()}
@@ -60,7 +63,8 @@ def matched(results: Path) -> dict[str, str]:
     """The fastest line at each error."""
     lines = pd.read_csv(results / "tables" / "matched-accuracy.csv")
     scene = pareto.main_scene(lines.scene)
-    found = {"matched:scene": scene.replace("_", " ")}
+    joint, _, triangles = scene.rpartition("_")
+    found = {"matched:scene": f"{joint.replace('_', ' ')} pair of {int(triangles):,} triangles each" if triangles.isdigit() else scene.replace("_", " ")}
     own = lines[(lines.scene == scene) & np.isfinite(lines.query_ns)]
     for target, group in own.groupby("target_um"):
         best = group.loc[group.query_ns.idxmin()]
@@ -86,7 +90,7 @@ def proven(results: Path) -> dict[str, str]:
     budget = common.load(results, "error_budget")
     chosen = (budget.scheme == "rsid") & (budget.storage == "uint16") & (budget.precision_deg == 1)
     for row in budget[chosen].itertuples():
-        found[f"budget:{row.stage}:max_um"] = common.digits(row.max_um, 2)
+        found[f"budget:{row.stage}:max_um"] = common.digits(row.max_um, 2) if row.max_um >= NEGLIGIBLE else f"less than {NEGLIGIBLE:g}"
     return found
 
 

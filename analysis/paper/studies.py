@@ -32,8 +32,8 @@ def cohort(results: Path) -> dict[str, str]:
         "cohort:holds": str((found.holds == "yes").sum()),
         "cohort:rotation": common.digits(ours.ours["internal rotation at 90, controls"]),
         "cohort:published": common.digits(ours.published["internal rotation at 90, controls"]),
-        "cohort:torsion": common.digits(ours.ours["variance by torsion alone"], 2),
-        "cohort:alpha": common.digits(ours.ours["variance by alpha alone"], 1),
+        "cohort:torsion": f"{ours.ours['variance by torsion alone']:.0f}",
+        "cohort:alpha": f"{ours.ours['variance by alpha alone']:.0f}",
     }
 
 
