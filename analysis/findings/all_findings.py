@@ -20,7 +20,7 @@ from findings import baselines, claims, conchoid, finding, grid, helix, motion, 
 KEPT = Path(__file__).resolve().parents[2] / "results" / "reference" / "tables" / "findings.csv"
 MODULES = (grid, baselines, helix, conchoid, slips, claims, note, motion)  # the thesis from front to back, the note, others
 
-HEAD = r"""\begin{longtable}{@{}r>{\raggedright\arraybackslash}p{16mm}>{\raggedright\arraybackslash}p{50mm}
+HEAD = r"""\begin{longtable}{@{}r>{\raggedright\arraybackslash}p{19mm}>{\raggedright\arraybackslash}p{47mm}
   >{\raggedright\arraybackslash}p{82mm}l@{}}
   \caption{Statements, and what was computed about them.}\label{tab:findings}\\
   \toprule
@@ -72,10 +72,10 @@ def latex(rows: pd.DataFrame) -> str:
     for row in rows[rows.verdict.isin(["wrong", "misprint"])].itertuples():
         source = f"~\\cite{{{row.source}}}" if row.source else ""
         body.append(
-            f"{row.number} & {mathematical(row.where)} & {mathematical(row.claim)} & "
+            f"{row.number} & {mathematical(row.where.replace('Section ', 'Sec. '))} & {mathematical(row.claim)} & "
             f"{mathematical(row.computed)}{source} & {row.verdict} \\\\"
         )
-    return "\n".join([HEAD, "\\addlinespace[2pt]\n".join(line + "\n" for line in body), "\\end{longtable}", ""])
+    return "\n".join([HEAD, "\\addlinespace[1pt]\n".join(line + "\n" for line in body), "\\end{longtable}", ""])
 
 
 common.run(main)
