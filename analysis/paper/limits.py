@@ -5,7 +5,7 @@
 limit:JOINT:MOTION and limit:JOINT:MOTION:clock of first contact; limits:count (with a bracket), :widest (of these, degrees),
 :uncertainty:least and :most (degrees, to first order, of half a millimetre of a surface; 5 % and 95 % of the
 contacts), :interval:median and :most (width of the interval for every centre within half a millimetre, degrees),
-:unbounded (limits without a proven upper end), :hanging (limits that are sensitive to less than that); joints:said, how many real ones;
+:unbounded (limits without a proven upper end), :hanging (limits that are sensitive to less than that); joints:said, how many real ones; limits:panels, what the figure shows;
 phantoms:limits:count, :error (largest, degrees), phantoms:gaps:count and :share (largest error of its bound, per cent).
 """
 
@@ -35,6 +35,7 @@ def limits(results: Path) -> dict[str, str]:
     interval = limited.centre_high_deg - limited.centre_low_deg
     return found | {
         "joints:said": f"with {real} real joints" if real else "without real joints",
+        "limits:panels": "Left: generated hips; right: real joints." if real else "",
         "limits:count": str(len(brackets)),
         "limits:widest": common.rounded_up(width, 7).rstrip("0").rstrip("."),
         "limits:uncertainty:least": common.digits(limited.surface_deg.quantile(0.05), 2),

@@ -93,12 +93,12 @@ def touch(results: Path) -> str:
     """Poses a second, over FCL's."""
     table = of_whole(common.load(results, "touch_time"))
     rows = table[table.method == "body_pairs"].sort_values("rate_over_fcl")
-    ends = [f"{common.digits(row.rate_over_fcl, 2)} ({row.poses}, {row.state})" for row in (rows.iloc[0], rows.iloc[-1])]
+    ends = [f"{common.digits(row.rate_over_fcl, 2)} ({row.state}, {row.poses})" for row in (rows.iloc[0], rows.iloc[-1])]
     wrong = int(table.otherwise.sum())
     same = "All answers are those of CGAL's exact signs" if wrong == 0 else f"{wrong} answers are not those of CGAL's exact signs"
     return (
-        f"Whether bones touch is decided between {ends[0]} and {ends[1]} times as fast as by FCL's trees of boxes, {common.digits(rows.rate_over_fcl.median(), 2)}"
-        f" times in the median over kinds of poses. {same}."
+        f"Ours decides between {ends[0]} and {ends[1]} times as many a second as FCL's trees of boxes, in the median {common.digits(rows.rate_over_fcl.median(), 2)} times as "
+        f"many. {same}."
     )
 
 
@@ -113,5 +113,5 @@ def turns(results: Path) -> str:
     own = ours.iloc[ours.queries.argmax()]
     return (
         f"Of {own.queries:,} queries {own.meet:,} meet; ours misses {ours.missed.max()} and finds {ours.false_hits.max()} false ones. At {own.early} grazes it is early, "
-        f"since what is within rounding counts as touching. The {len(others)} other methods, those that know continuous motion and those in steps, miss {span(shares)} % of what they were asked."
+        f"since what is within rounding counts as touching. The {len(others)} other ways, by continuous collision detection and in steps, miss {span(shares)} % of what they were asked."
     )
