@@ -35,9 +35,9 @@ std::string describe(const RequiredLeg& leg);
 
 /// A part of a leg, angles in degrees.
 struct LegPart {
-  std::size_t leg = 0;    // place among the legs
-  double from_deg = 0.0;  // of the angle that grows
-  double to_deg = 0.0;    // of the angle that grows
+  std::size_t leg = 0;    // index of the leg
+  double from_deg = 0.0;  // where the growing angle begins
+  double to_deg = 0.0;    // where it ends
 };
 
 /// For a question about a cap of directions, parts of legs are halved until one of these holds.

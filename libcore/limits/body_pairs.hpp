@@ -64,7 +64,7 @@ struct Opening {
 class BodyPairs {
  public:
   BodyPairs(const BallSocketPair& main, const BoneParts& beside);
-  /// Of surfaces alone (see above), none of them with parts.
+  /// A joint of surfaces alone (see above), without parts.
   static BodyPairs of_surfaces(const BallSocketPair& surfaces);
 
   /// Indices of two bodies: 0 is the bone with the main surface, k the kth part beside it.

@@ -120,8 +120,7 @@ bool passes(const Vec3& p, const Vec3& q, std::span<const Vec3> face, double off
   if (!(std::min(std::abs(above), std::abs(below)) > off * length) || (above > 0.0) == (below > 0.0))
     return false;
   const Vec3 x = p + (above / (above - below)) * (q - p);
-  const double steep =
-      std::abs(above - below) / (length * (q - p).norm());  // sine of the angle between segment and plane
+  const double steep = std::abs(above - below) / (length * (q - p).norm());  // sine of the angle
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 side = face[(k + 1) % 3] - face[k];
     if (!(normal.dot(side.cross(x - face[k])) * steep > off * length * side.norm())) return false;

@@ -23,8 +23,7 @@ struct Arc {
 Arc arc_of(const Vec3& a, const Vec3& b) {
   const Vec3 from = a.stableNormalized();
   const Vec3 to = b.stableNormalized();
-  const double nearest =
-      std::max((0.5 * (from + to)).norm(), kOnArc);  // distance of the chord from the centre
+  const double nearest = std::max((0.5 * (from + to)).norm(), kOnArc);  // of the chord
   const auto [low, high] = std::minmax(from.z(), to.z());
   return {from, to, from.cross(to), std::min(low, low / nearest) - kOnArc,
           std::max(high, high / nearest) + kOnArc};

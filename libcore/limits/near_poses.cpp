@@ -98,7 +98,7 @@ bool NearBodies::apart(const TurnFace& moved, const TurnFace& face) const {
   return farther_than(moved, face, reach) && !faces_meet(moved.corner, face.corner);
 }
 
-// Calls meet(face of the ball, the same turned by R, face of the socket) for pairs that may come as near as
+// Calls meet(face of the ball, that face turned by R, face of the socket) for pairs that may come as near as
 // the gap, until it is true; returns whether it was.
 template <class Meet>
 bool NearBodies::any_close(const SweptParts& ball, const SweptParts& socket, const Told& told,

@@ -55,7 +55,7 @@ class SweptParts {
     const Node& node = nodes_[from];
     return node.leaf || any_node(found, node.at) || any_node(found, node.at + 1);
   }
-  /// Is every part farther than `distance` from x? mm.
+  /// Is every part farther than `distance` from x, mm?
   bool farther_than(double distance, const Vec3& x) const;
 
  private:
@@ -178,8 +178,8 @@ bool farther_than(const TurnFace& s, const TurnFace& t, double distance);
 using WithinSpan = std::function<double(const AngleSpan&)>;
 
 /// The first angle, radians, up to `largest` in [0, 2 pi], at which turning parts may be within that distance
-/// of those at rest; `largest` if there is none. Before it no pair is as near. At it a pair is as near but
-/// for the way of 1e-5 rad, or for more where parts stay nearly as near for long. No faces may pierce each
+/// of those at rest; `largest` if there is none. Before it no pair is as near. At it some pair is, but
+/// for the way of 1e-5 rad; or for more, where parts stay nearly as near for long. No faces may pierce each
 /// other at the start: distances are those of corners and edges, and such faces may be missed.
 double first_within(const SweptPair& pair, const WithinSpan& within, double largest);
 

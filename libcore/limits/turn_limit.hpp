@@ -7,10 +7,10 @@
 ///   high   here there is contact, decided exactly for the vertices as the pose rounds them; for a threshold,
 ///          contact or a vertex with that gap or less, in double
 ///
-/// Contact is that of bones: the ball's whole bone and its parts with those of the socket
+/// Contact means contact of bones: the ball's whole bone and its parts against the socket's
 /// (limits/body_pairs.hpp). A threshold is about the vertices of both main surfaces without faces that are
 /// edge-on at rest (mesh/surface_vertices.hpp), as the thesis' scans are: between vertices a gap may be
-/// smaller by about the sagitta of a face. The limit of a threshold is no larger than that of contact.
+/// smaller by about the sagitta of a face. The limit of a threshold is no larger than the limit of contact.
 ///
 /// The bracket is about 1e-7 degrees wide. It is wider where parts graze: they come so near that doubles
 /// cannot tell whether they touch, and the exact test finds no contact. Then low stays at the first graze,
@@ -18,7 +18,7 @@
 /// contact that it finds there is certain, but an earlier one may lie between two poses. If it finds none the
 /// limit is unknown beyond low.
 ///
-/// The bracket is that of the meshes about their origin. To first order the limit moves
+/// The bracket is for the meshes about their origin. To first order the limit moves
 ///   by n . d / |n . (w x p)|               if the ball is shifted by d, or a surface by n . d
 ///   by t . (I - R)^T n / |n . (w x p)|     if the common centre is off by t
 /// with n the normal and p the place of the contact, w the axis and R the rotation of the pose, all in the
@@ -68,9 +68,9 @@ struct TurnLimit {
   double deg_per_mm = 0.0;
   double centre_deg_per_mm = 0.0;
   /// If the ball's mesh has an opening: the first angle at which the ray through a vertex of the socket,
-  /// which met the ball at the start, meets it no more; nothing where there is none. From there on the limit
-  /// is that of what is left of the mesh. If no contact is found, the state is `unknown` and low is no larger
-  /// than this.
+  /// which met the ball at the start, meets it no more; nothing where there is none. Beyond it
+  /// the limit is about what is left of the mesh. If no contact is found, the state is `unknown` and low is
+  /// no larger than this.
   std::optional<double> leaves_mesh_deg;
 };
 
@@ -126,7 +126,7 @@ class TurnLimits {
     BallSocketPair meshes;          // the main surfaces, without their edge-on faces
     std::vector<Edge> ends;         // border of the ball's mesh, where its bone is not closed
     std::vector<VertexIndex> seen;  // vertices of the socket that have a face
-    TurnBody ball;                  // of the main surfaces
+    TurnBody ball;                  // the main surfaces
     TurnBody socket;
     TriangleMesh uncut;              // of cut surfaces: the ball's main surface, if its mesh ends
     std::optional<NearFaces> whole;  // the faces of `uncut`

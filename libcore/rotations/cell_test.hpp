@@ -8,9 +8,9 @@
 ///   unknown  nothing touches in any, but in all of them the ball's mesh has a hole under the socket
 ///   open     none of these could be shown
 ///
-/// Contact is that of bones (limits/body_pairs.hpp). Radii along rays decide instead about main surfaces
-/// where a gap counts as contact, or where the socket is a sheet: blocked then means B + gap >= S in some
-/// direction, with B the ball's outermost radius and S the socket's innermost one (gap/overlay.hpp).
+/// Contact means contact of bones (limits/body_pairs.hpp). Radii along rays decide instead about main
+/// surfaces where a gap counts as contact, or where the socket is a sheet: blocked then means B + gap >= S in
+/// some direction, with B the ball's outermost radius and S the socket's innermost one (gap/overlay.hpp).
 ///
 /// If the common centre is known only to within a distance, the answers hold for every such centre t; but a
 /// vertex blocks nothing about a t that lies in the planes of all its faces.
