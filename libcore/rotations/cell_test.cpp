@@ -265,7 +265,7 @@ CellSearch::Reach CellSearch::reach_at(const Asked& asked, Surface of, std::uint
   const double shift = asked.shift + 2.0 * gap * r / length;
   reach.radius = of_ball ? length + gap - shift : length - gap + shift;
   const double nearest = std::min(length, of_ball ? test_.least_socket_ : HUGE_VAL) - shift;
-  if (!(nearest > r) || !(reach.radius > 0.5 * length) || (r > 0.0 && gap > 0.5 * length)) return reach;
+  if (!(nearest > r) || !(reach.radius > 0.5 * length) || (r > 0.0 && gap > 0.5 * (length - r))) return reach;
   reach.cap.axis = (of_ball ? asked.rotation : asked.inverse) * x / length;
   reach.cap.radius = asked.turn + std::asin(asked.shift / length) + std::asin(r / nearest) + kTurnSlack;
   const SeenSurface& met = test_.surface(other(of));
