@@ -26,8 +26,9 @@ struct WorkingTable {
   std::vector<double> bounds;   // mm, on each answer; infinite where nothing is proven
 };
 
-// The thesis' two schemes, and two that are recommended (libcore/README.md), at both precisions: a walk along
-// a rim in steps of a tenth of a degree costs others too much. mesh in the centre frame, nearest layer.
+// The thesis' two schemes, and two that are recommended (sphere/schemes/README.md), at both precisions: a
+// walk along a rim in steps of a tenth of a degree costs others too much. mesh in the centre frame, nearest
+// layer.
 std::vector<WorkingTable> working_tables(const TriangleMesh& mesh, std::span<const Vec3> directions);
 
 // Every scheme on an octahedron of that radius, whose entries are known in closed form, to be asked anywhere.

@@ -8,8 +8,8 @@
 
 namespace impinge {
 
-/// x_socket = rotation x_ball + translation, from the ball's centre frame to the socket's (see
-/// docs/frames.dox). rotation is orthogonal with determinant 1; translation in mm.
+/// x_socket = rotation x_ball + translation, from the ball's centre frame to the socket's
+/// (README.md, Frames). rotation is orthogonal with determinant 1; translation in mm.
 struct Pose {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // orthogonal, with determinant 1
   Vec3 translation = Vec3::Zero();                         // mm, in the socket's frame

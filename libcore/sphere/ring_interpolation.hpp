@@ -17,8 +17,9 @@
 namespace impinge {
 
 /// Base of such a scheme S, which has what RingWalker asks for, and
-///   row(k)          entries of the k-th ring, without its polar angle; three or four on the first and the
-///   last polar_angle(k)  of the ring, radians ring_of(entry)  the ring that an entry is on
+///   row(k)          the k-th ring, without its polar angle; three or four entries on the outermost
+///   polar_angle(k)  of the ring, radians
+///   ring_of(entry)  the ring that an entry is on
 template <class S>
 class RingInterpolation {
  public:

@@ -8,7 +8,7 @@
 //
 // Copied to libcore/sphere/schemes/ it is in every experiment, test, plot and table. The class has the file's
 // name with a capital for each word: ExampleScheme in example_scheme.hpp. What more a scheme may tell, for
-// speed and for tighter bounds, is in sphere/scheme.hpp; without it all the same holds.
+// speed and for tighter bounds, is in sphere/schemes/README.md; without it all the same holds.
 #pragma once
 
 #include <algorithm>

@@ -2,13 +2,11 @@
 // The equal-area octahedral map: each quarter of the sphere 90 q <= theta <= 90 (q + 1) degrees is a square
 // of n by n cells of equal area.
 //
-// Node (i, j) of the square of a northern point has r = (i + j) / n <= 1, z = 1 - r^2 and theta = 90 (q + j /
-// (i
-// + j)) degrees; beyond the diagonal i + j = n, the equator, the south mirrors it: r = 2 - (i + j) / n, z =
-// r^2
-// - 1 and theta = 90 (q + (n - i) / (2 n - i - j)). So ring s = i + j has 4 s entries, equally spaced, in the
-// north and 4 (2 n - s) in the south: 4 n^2 + 2 entries, numbered ring by ring. Lookup is bilinear in (i, j),
-// with one arctangent.
+// Node (i, j) of a square has, in degrees,
+//   north, i + j <= n:  r = (i + j) / n,      z = 1 - r^2,  theta = 90 (q + j / (i + j))
+//   south, its mirror:  r = 2 - (i + j) / n,  z = r^2 - 1,  theta = 90 (q + (n - i) / (2 n - i - j))
+// So ring s = i + j has 4 s entries, equally spaced, in the north and 4 (2 n - s) in the south: 4 n^2 + 2
+// entries, numbered ring by ring. Lookup is bilinear in (i, j), with one arctangent.
 //
 // Precision is 90 / n degrees: 4 n entries stand on the equator.
 #pragma once
