@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sampling scheme: which directions a table samples, and how one is looked up. Adding a scheme is adding
-// one file to sphere/schemes/; the build finds it and every table, test, experiment and plot follows.
+// The sampling scheme: which directions a table samples, and which of them a look-up reads. To add a scheme,
+// add one file to sphere/schemes/; the build finds it, and every table, test, experiment and plot follows.
 #pragma once
 
 #include <algorithm>
@@ -72,7 +72,7 @@ concept HasWalker = requires(const S scheme, const Vec3& x) {
   scheme.walker().visit_near(TriangleCone(x, x, x), 0.0, RunVisitor{});
 };
 
-/// A member of that name, which then has to be a walker.
+/// A scheme with a member walker(), which must then satisfy HasWalker.
 template <class S>
 concept NamesWalker = requires(const S scheme) {
   scheme.walker();
@@ -101,12 +101,11 @@ concept NamesWalker = requires(const S scheme) {
 ///   area(i)              see AreaScheme
 ///   depth(x), ...        see PlaneExactScheme: a table of inverse depths
 ///   meets_cells_once()   see HasKnownBorders: a rim takes out the cells that it crosses, and no more
-///   patches_of(scheme)   see table/patches/patch.hpp: a tight bound on the error in place of one of first
-///   order
+///   patches_of(scheme)   see table/patches/patch.hpp: a tight bound on the error, not one of first order
 /// A scheme whose stencils read entries beyond the cell that holds the direction must have
 ///   for_each_cell_across(stencil, visit)
 ///                        calls visit(other) for the stencils of all cells that read across the cell of
-///                        `stencil`, so that a rim in it is kept out of theirs
+///                        `stencil`: they become rim cells with it
 template <class S>
 concept SamplingScheme = std::regular<S> &&
     (!NamesWalker<S> || HasWalker<S>)&&requires(const S scheme, double degrees, std::size_t i,
@@ -125,8 +124,8 @@ concept SamplingScheme = std::regular<S> &&
   { scheme.equator_points() } -> std::same_as<std::size_t>;
 };
 
-/// The scheme whose entries are so many degrees apart, or nothing where there is none: a grid of
-/// angles must divide 180 degrees.
+/// The scheme whose entries are `degrees` apart at the equator; std::nullopt if there is none, as for a grid
+/// of angles whose step does not divide 180 degrees.
 template <SamplingScheme S>
 std::optional<S> scheme_of_precision(double degrees) {
   try {
@@ -154,16 +153,16 @@ concept PlaneExactScheme = SamplingScheme<S> && requires(const S scheme, const V
 /// it crosses (table/rim.hpp). It has one of
 ///   kFlatCells               true: all cells are bounded by great circles and convex
 ///   meets_cells_once(a, b)   does the arc between two vectors, shorter than half a turn, surely meet every
-///                            cell in one stretch at most? Of arcs short enough it has to be sure, but round
-///                            single points. sphere/arc_borders.hpp helps.
-/// Of any other scheme the entries beside a rim have no surface.
+///                            cell in one stretch at most? It must say yes for every arc that is short
+///                            enough, except round single points. sphere/arc_borders.hpp helps.
+/// In a table of any other scheme the entries beside a rim have no surface.
 template <class S>
 concept HasKnownBorders = requires(const S scheme, const Vec3& x) {
   { scheme.meets_cells_once(x, x) } -> std::same_as<bool>;
 }
 || requires { requires S::kFlatCells; };
 
-/// The answer of either.
+/// Does the arc from a to b, shorter than half a turn, surely meet every cell in one stretch at most?
 template <HasKnownBorders S>
 bool meets_cells_once(const S& scheme, const Vec3& a, const Vec3& b) {
   if constexpr (requires { scheme.meets_cells_once(a, b); }) {
