@@ -21,11 +21,11 @@ struct Crossing {
   int order = 0;  // +1 if it meets a - b beyond c - d, 0 if they meet each other, -1 if a - b is nearer
 };
 
-/// How two segments cross. With k1 a + k2 b + k3 c + k4 d = 0, k = (det(b, c, d), -det(a, c, d), det(a, b,
-/// d), -det(a, b, c)), the
-/// segments cross where k1 and k2 have one sign and k3 and k4 the other. The point of a - b is then s times
-/// that of c - d, and the sum of all k, plane_side(a, b, c, d), has the sign of (1 - s) k1. All signs are
-/// exact.
+/// How the segments a - b and c - d cross, by exact signs. The numbers
+///   k = (det(b, c, d), -det(a, c, d), det(a, b, d), -det(a, b, c))
+/// make k1 a + k2 b + k3 c + k4 d = 0. The segments cross where k1 and k2 have one sign and k3 and k4 the
+/// other. The point of a - b is then s times the point of c - d, and the sum of all k, plane_side(a, b, c,
+/// d), has the sign of (1 - s) k1.
 Crossing crossing(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 }  // namespace impinge
