@@ -8,7 +8,7 @@
 //   (2)  some y in Y lies on or within the ball: y = x / s with x in X, s >= 1; or y is the ball's centre
 //        and the ball has a face.
 // Surfaces with a common point are impinged. So is a ball that has slipped behind the rim of the socket; what
-// (1) and (2) say about the intersection of the surfaces is proven in reference/meeting_surfaces.hpp.
+// (1) and (2) say about the intersection of the surfaces is in reference/meeting_surfaces.hpp.
 // Directions in which one surface is missing never count; a surface includes its open edges.
 //
 // The two scans of the thesis sample (1) at vertices of the ball and (2) at vertices of the socket, and miss

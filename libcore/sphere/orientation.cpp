@@ -26,7 +26,7 @@ int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c) {
 }  // namespace
 
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c) {
-  // 1-norms are cheaper than lengths and no smaller. Numbers out of range fail both comparisons.
+  // 1-norms are cheaper than lengths and no smaller. Numbers out of range go on to the exact sign.
   const double det = a.dot(b.cross(c));
   const double product = b.lpNorm<1>() * c.lpNorm<1>();
   const double doubt = kPlaneTestError * a.lpNorm<1>() * product;
