@@ -12,7 +12,7 @@
 namespace impinge {
 namespace {
 
-// For angles up to a quarter turn the square of the chord over that of the angle is no less than this.
+// For angles up to a quarter turn (chord / angle)^2 is no less than this.
 constexpr float kInverseOfQuarter = 1.0F / (1.1108F * 1.1108F);
 constexpr float kLongestChord = 1.4F * 1.4F;
 

@@ -33,7 +33,7 @@ struct SummarisedNode {
   std::uint32_t items = 0;
 };
 
-// One cap and range that hold those of several parts. The axis is as exact as a float.
+// One cap and range that hold the caps and ranges of several parts. The axis is as exact as a float.
 CapSummary summary_of(std::span<const CapSummary> parts) {
   CapSummary all;
   all.cap.axis = Vec3::Zero();

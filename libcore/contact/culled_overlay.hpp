@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decides whether the surfaces of ball and socket impinge, edges included, without testing most faces. In
-// every pose the answer is that of SurfaceOverlay::impinged() (gap/overlay.hpp): Theorem 8 (caps).
+// every pose the answer is the same as by SurfaceOverlay::impinged() (gap/overlay.hpp): Theorem 8 (caps).
 //
 // A face is an item like a vertex: the bounds of contact/gap_bounds.hpp hold for every point of it, also if
 // the pose makes it edge-on. A face whose cap is clear reaches no face. The others are compared exactly with

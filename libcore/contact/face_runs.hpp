@@ -18,7 +18,7 @@ struct FaceRuns {
 
   explicit FaceRuns(const TriangleMesh& mesh);  // leaves out faces without area
 
-  std::vector<Vec3> vertices;      // mm, those of the faces
+  std::vector<Vec3> vertices;      // mm, the vertices of the faces
   std::vector<Face> faces;         // in the order of the runs
   std::vector<std::size_t> first;  // number of the first block of each level; the last level has one block
   std::size_t blocks = 0;          // number of blocks of all levels

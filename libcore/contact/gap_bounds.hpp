@@ -3,7 +3,7 @@
 //
 // A scan takes a vertex v = s w (|w| = 1, low <= s <= high, w within `angle` of the axis a) to x = R v + t.
 // With o = R^T t, T = |t| and b the angle between a and o,
-//   the direction of x is within (angle low + T spread) / (low - T) of that of R (mean a) + t, if T < low,
+//   the directions of x and R (mean a) + t are within (angle low + T spread) / (low - T), if T < low,
 //   |x|^2 = s^2 + 2 s (w . o) + T^2,  cos(b + angle) <= w . o / T <= cos(b - angle).
 // A longer translation allows any direction. The limit of the other surface over that cap of directions
 // (contact/cap_limits.hpp) then bounds the gap: S - |x| for the ball, |x| - B for the socket.

@@ -19,8 +19,8 @@ constexpr double kWide = 0.125;                             // a wider one count
 constexpr int kMostCuts = 16;                               // of a triangle, one after the other
 constexpr std::size_t kCutsOfMesh = std::size_t{1} << 17U;  // most cuts of all triangles
 constexpr std::size_t kCutsOfFace = 2;
-// Longest chord from the direction of a ball's middle to that of a point in it, over the width of the ball: 2
-// sin(a / 2) / sin(a) = 1 / cos(a / 2), which is this for a = 30 degrees.
+// Longest chord from the direction of a ball's middle to the direction of a point in it, over the width of
+// the ball: 2 sin(a / 2) / sin(a) = 1 / cos(a / 2), which is this for a = 30 degrees.
 constexpr double kLongestChord = 1.04;
 constexpr double kDirectionSlack = 1e-5;
 constexpr double kSliver = 1e-12;      // square of the sine of an angle

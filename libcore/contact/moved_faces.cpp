@@ -24,7 +24,7 @@ constexpr float kGridSlack = 1e-4F;     // in cells of the grid
 constexpr float kTiny = 1e-30F;         // mm^2; smaller squares are not precise
 constexpr float kLongestChord = 1.04F;  // times a ball's radius over its distance, see least_radii.cpp
 constexpr float kChordSlack = 1e-3F;    // in cells of directions
-constexpr float kUnknown = 1e6F;        // in cells; wider than those of any level
+constexpr float kUnknown = 1e6F;        // in cells; wider than cells of any level
 constexpr float kFirst = 4096.0F;       // puts runs in a cell of the surface before all others
 
 // A block that waits for its turn in a search.

@@ -43,8 +43,7 @@ class PendingNodes {
 
 }  // namespace
 
-// The root that is pushed last is opened first; then the caps of the first scan come before those of the
-// second.
+// The root that is pushed last is opened first; then the first scan's caps come before the second's.
 std::optional<ScannedItem> touching_item(const PosedTrees& posed,
                                          const std::function<bool(const ScannedItem&)>& touches) {
   PendingNodes pending;

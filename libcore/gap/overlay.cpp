@@ -107,7 +107,7 @@ bool SurfaceOverlay::visit_pairs(Surface moved, const Pose& pose, const Visit& v
   return false;
 }
 
-// Visits the pairs of (1), then those of (2).
+// Visits the pairs of (1), then the pairs of (2).
 template <class Visit>
 bool SurfaceOverlay::visit_both(const Pose& pose, const Visit& visit) const {
   return visit_pairs(Surface::ball, pose, visit) || visit_pairs(Surface::socket, pose, visit);

@@ -41,7 +41,7 @@ TriangleMesh cone(const ConeShape& shape = {});  // the pyramid, which is a cone
 double cone_mesh_radius(const Vec3& direction, const ConeShape& shape = {});
 
 /// Open spherical cap about the origin with its pole on +z and its rim at half_opening_deg (degrees, in (0,
-/// 180)) from the pole. Its normals point to the centre, like those of a socket. Exactly `faces` faces, 3 or
+/// 180)) from the pole. Its normals point to the centre, as in a socket. Exactly `faces` faces, 3 or
 /// more.
 TriangleMesh cup(double inner_radius, double half_opening_deg, std::size_t faces);
 

@@ -20,7 +20,7 @@ struct HalfEdge {
   std::size_t side = 0;  // 0, 1 or 2
 };
 
-/// From the start of the side to its end, as the face runs through it.
+/// The two ends of a side, in the direction in which the face runs through it.
 inline Edge ends(const TriangleMesh& mesh, HalfEdge h) {
   return {mesh.faces[h.face][h.side], mesh.faces[h.face][(h.side + 1) % 3]};
 }
@@ -39,8 +39,8 @@ void for_each_edge(const TriangleMesh& mesh, const std::function<void(std::span<
 void for_each_edge(const TriangleMesh& mesh, const std::vector<bool>& lower_ends,
                    const std::function<void(std::span<const HalfEdge>)>& visit);
 
-/// The half-edges of all faces with three corners, edge by edge; those of one edge are in the order of the
-/// faces. Edge e has half_edges[first[e]] .. half_edges[first[e + 1] - 1].
+/// The half-edges of all faces with three corners, edge by edge, for one edge in the order of the faces. Edge
+/// e has half_edges[first[e]] .. half_edges[first[e + 1] - 1].
 struct EdgeList {
   std::vector<HalfEdge> half_edges;                      // edge by edge
   std::vector<std::size_t> first;                        // one longer than the number of edges

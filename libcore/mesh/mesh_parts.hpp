@@ -46,7 +46,7 @@ struct BoneParts {
   std::optional<TriangleMesh> whole_ball{};    // the bone of the ball, if that is more than the ball
   std::optional<TriangleMesh> whole_socket{};  // the bone of the socket, if that is more than the socket
 };
-/// All parts of a mesh, except those of the main bone.
+/// All parts of a mesh that do not belong to the main bone.
 std::vector<TriangleMesh> part_surfaces(const TriangleMesh& mesh, std::span<const MeshPart> parts);
 struct MeshWithParts {
   const TriangleMesh& mesh;

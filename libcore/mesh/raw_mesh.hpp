@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes a mesh from plain numbers, such as those of a file reader in another language.
+// Makes a mesh from plain numbers, such as a file reader in another language gives.
 #pragma once
 
 #include <cstdint>

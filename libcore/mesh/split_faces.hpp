@@ -13,7 +13,7 @@ namespace impinge {
 /// A mesh some of whose faces were cut.
 struct SplitFaces {
   TriangleMesh mesh;                // old vertices keep their numbers; new ones are middles of sides
-  std::vector<std::size_t> parent;  // for each face the old face of which it is a part
+  std::vector<std::size_t> parent;  // for each face the old face that it is a part of
 };
 
 /// Cuts the marked faces into four, by the middles of their sides, and faces that share such a side into up

@@ -26,8 +26,8 @@ int side_of(const Vec3& a, const Vec3& b, const Vec3& v) {
   return v == a || v == b ? 0 : orientation(a, b, v);
 }
 
-// Does the plane through the origin, a and b separate the corners of `first` from those of `second`, corners
-// on the plane allowed?
+// Does the plane through the origin, a and b separate the corners of `first` from the corners of `second`?
+// Corners may be on the plane.
 bool separates(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& first,
                const std::array<Vec3, 3>& second) {
   bool above = true;  // `first` is

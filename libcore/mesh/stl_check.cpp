@@ -32,7 +32,7 @@ bool same_word(std::string_view word, std::string_view lower) {
       word, lower, [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b); });
 }
 
-// Does the line have n words, of which the first is `word`, and then three numbers?
+// Does the line have n words, beginning with `word`, and then three numbers?
 bool has_numbers(const std::vector<std::string_view>& words, std::string_view word, std::ptrdiff_t n) {
   return words.size() == static_cast<std::size_t>(n) + 3 && same_word(words[0], word) &&
          std::all_of(words.begin() + n, words.end(),

@@ -68,7 +68,7 @@ std::string from_base64(std::string_view text, std::size_t most) {
   return bytes;
 }
 
-// Encoded data of unknown length, of which only what is asked for is decoded.
+// Encoded data of unknown length; only what is asked for is decoded.
 struct EncodedBytes {
   std::string_view rest;
   bool in_base64 = false;

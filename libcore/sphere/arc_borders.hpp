@@ -24,9 +24,9 @@ inline bool passes_lines_once(double from, double to, double most_bend) {
 /// of more than a quarter turn. For schemes whose cells lie between parallels and meridians; the azimuth is
 /// monotone along every arc.
 ///
-/// The polar angle falls where z rises: at a with the sign of b.z (a . a) - a.z (a . b), at b with that of
-/// b.z (a . b) - a.z (b . b). Rounding can hide the highest point of the circle only where an end is within
-/// 1e-15 radians of its latitude.
+/// The polar angle falls where z rises, which the sign of b.z (a . a) - a.z (a . b) tells at a and the sign
+/// of b.z (a . b) - a.z (b . b) at b. Rounding can hide the highest point of the circle only where an end is
+/// within 1e-15 radians of its latitude.
 inline bool latitude_is_monotone(const Vec3& a, const Vec3& b) {
   const Vec3 from = a.stableNormalized();
   const Vec3 to = b.stableNormalized();

@@ -25,7 +25,7 @@
 namespace impinge {
 
 /// A warp says what makes one cube map differ from another:
-///   name, label, citation   those of the scheme (sphere/scheme.hpp)
+///   name, label, citation   of the scheme (sphere/scheme.hpp)
 ///   node(t)          a for t in [-1, 1]; odd, with node(1) == 1 exactly
 ///   coordinate(a)    inverse of node()
 ///   kLongestWay      the longest way between two points of a cell along straight lines of t, over 2 / n; rad
@@ -154,7 +154,7 @@ class CubeMap<Warp>::Walker {
   }
 
  private:
-  static constexpr double kRounding = 1e-10;     // rad, far above that of clipping
+  static constexpr double kRounding = 1e-10;     // rad, far above the rounding of clipping
   static constexpr double kSlack = 1e-6;         // of a spacing
   static constexpr double kLargestMargin = 0.5;  // rad; beyond it every entry is near
 

@@ -5,7 +5,7 @@
 // w(j) Q if i + j <= n, else w(i + j - n) F + w(n - i) Q + w(n - j) P, with the weights w of the warp. A
 // diamond owns i = 1..n, j = 0..n-1; with the poles these are all nodes, each once: 10 n^2 + 2 entries.
 // A look-up finds the face, then the triangle, and weights the three corners by barycentric coordinates:
-// those of the fractions for stencil(), those on the flat face for plane_stencil().
+// by the fractions for stencil(), by the place on the flat face for plane_stencil().
 //
 // Precision is 72 / n degrees: 5 n entries stand round the equator.
 #pragma once
@@ -35,7 +35,7 @@ struct TriangleRange {
 };
 
 /// A warp says what makes one icosahedral grid differ from another:
-///   name, label, citation   those of the scheme (sphere/scheme.hpp)
+///   name, label, citation   of the scheme (sphere/scheme.hpp)
 ///   weight(k, n)       weight of a corner in the node that is k / n of the way to it; 0 for k = 0
 ///   fractions(lambda)  from barycentric coordinates on the flat face (>= 0, sum 1) to k / n of each corner
 ///   widen(range)       from ranges of the former, within [0, 1], to ranges of the latter that hold them
@@ -294,7 +294,7 @@ class IcosahedralGrid<Warp>::Walker {
   }
 
  private:
-  static constexpr double kRounding = 1e-10;     // rad, far above that of clipping
+  static constexpr double kRounding = 1e-10;     // rad, far above the rounding of clipping
   static constexpr double kSlack = 1e-6;         // of a spacing
   static constexpr double kLargestMargin = 0.5;  // rad; beyond it every entry is near
   static constexpr double kLeastDepth = 1e-3;    // of a clipped corner, for its coordinates to be accurate

@@ -20,7 +20,7 @@ struct Icosahedron {
     std::array<Vec3, 3> dual;    // dual[k] . corner[l] = 1 if k = l, else 0
     Vec3 axis;                   // sum of the duals: along the middle of the face
   };
-  std::array<Face, 20> face;  // faces 2 d and 2 d + 1 are those of diamond d
+  std::array<Face, 20> face;  // diamond d has the faces 2 d and 2 d + 1
 
   /// Angle between the middle of a face and its corners: tan = 3 - sqrt(5).
   static constexpr double kTangent = 0.7639320225002103;

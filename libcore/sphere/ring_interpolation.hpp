@@ -27,7 +27,7 @@ class RingInterpolation {
   std::size_t cells() const { return 2 * self().size() - 2 * self().row(0).count + 2; }
 
   /// Calls visit(stencil) for all cells that have the same gap above or the same gap below as the cell of
-  /// `at`; ignore their weights. Entries of one ring do not stand below those of the next, so that a cell
+  /// `at`; ignore their weights. Entries of one ring do not stand below entries of the next, so that a cell
   /// reads entries beyond its corners. Through these cells there is a way, no longer than stencil_radius(),
   /// from any direction to each tap.
   template <class Visit>

@@ -38,7 +38,7 @@ struct DirectionRun {
   Vec3 operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }  // direction of entry first + k
 };
 
-/// Calls visit(run) for runs that make up the entries first .. first + count - 1, the k-th of which has the
+/// Calls visit(run) for runs that make up the entries first .. first + count - 1; entry first + k has the
 /// direction direction_of(k).
 template <class DirectionOf, class Visit>
 void visit_in_runs(std::size_t first, std::size_t count, DirectionOf&& direction_of, Visit&& visit) {
@@ -138,10 +138,10 @@ std::optional<S> scheme_of_precision(double degrees) {
 /// A scheme whose entries are points of a solid with flat faces round the centre, for InverseDepthTable:
 ///   depth(x)          largest n . x over the faces n . p = 1 of the solid, x of any length: x / depth(x) is
 ///                     the point of the solid in the direction of x
-///   plane_stencil(x)  taps on the face of that point, with weights that are not negative and sum to 1 and
-///                     put it between those of the taps: x / depth(x) = sum w_i u_i / depth(u_i)
-///   kFlatCells        whether all cells are bounded by great circles. Then taps and cell are those of
-///                     stencil(x); else they may be those of a neighbour where x is close to the border
+///   plane_stencil(x)  taps on the face of this point, with weights that are not negative and sum to 1 and
+///                     make it the mean of the taps' points: x / depth(x) = sum w_i u_i / depth(u_i)
+///   kFlatCells        whether all cells are bounded by great circles. Then stencil(x) has the same taps and
+///                     cell; else plane_stencil(x) may take a neighbour if x is close to the border
 template <class S>
 concept PlaneExactScheme = SamplingScheme<S> && requires(const S scheme, const Vec3& x) {
   { scheme.depth(x) } -> std::same_as<double>;

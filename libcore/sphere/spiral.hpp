@@ -87,8 +87,8 @@ class Spiral {
   }
 
   /// Calls visit(stencil) for all cells that have the same interval above or the same interval below as the
-  /// cell of `at`; ignore their weights. Entries of one turn do not stand below those of the next, so that a
-  /// cell reads entries beyond its corners. Through these cells there is a way, no longer than
+  /// cell of `at`; ignore their weights. Entries of one turn do not stand below entries of the next, so that
+  /// a cell reads entries beyond its corners. Through these cells there is a way, no longer than
   /// stencil_radius(), from any direction to each tap.
   template <class Visit>
   void for_each_cell_across(const Stencil& at, Visit&& visit) const {

@@ -63,9 +63,9 @@ class TriangleCone {
   /// Distance of the centre from the plane of the face, mm.
   double plane_distance() const { return plane_.offset / plane_.normal.norm(); }
 
-  /// The radius r = n.v0 / (n.u) along a unit u that the cone contains, mm. It is never above that of the
-  /// farthest corner, which matters only if u grazes the face and n.u is rounding noise; for a face that is
-  /// seen edge-on but for rounding it is that of the nearest corner.
+  /// The radius r = n.v0 / (n.u) along a unit u that the cone contains, mm. It is never above the radius of
+  /// the farthest corner, which matters only if u grazes the face and n.u is rounding noise; for a face that
+  /// is seen edge-on but for rounding it is the radius of the nearest corner.
   double radius(const Vec3& u) const {
     if (grazing_) return smallest_radius_;
     return plane_radius<double>(plane_.normal, plane_.offset, largest_radius_, u);

@@ -9,7 +9,7 @@
 namespace impinge {
 namespace {
 
-// With pieces that wide a parallel leaves its chord by at most a spacing of the turns.
+// The number of pieces, so narrow that a parallel leaves its chord by at most a spacing of the turns.
 std::size_t piece_count(double width, double spacing, std::size_t most) {
   const double widest = std::sqrt(8.0 * spacing);
   return std::min(static_cast<std::size_t>(width / widest) + 1, most);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random numbers and directions that are the same with every standard library, unlike those of its
-// distributions.
+// Random numbers and directions that are the same with every standard library; its distributions are not.
 #pragma once
 
 #include <cmath>

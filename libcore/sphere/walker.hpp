@@ -48,7 +48,7 @@ class ConeNeighbourhood {
   bool misses(const Vec3& u) const { return is_beyond(u, of_direction_); }
 
  private:
-  static constexpr double kRounding = 1e-9;  // rad, far above that of all that is computed here
+  static constexpr double kRounding = 1e-9;  // rad, far above all rounding in this class
 
   /// Limits beyond which a cap misses the cap round the triangle, or lies on the far side of an edge.
   struct Limits {

@@ -11,10 +11,10 @@
 
 namespace impinge {
 
-/// The table of `mesh`, which is in the centre frame. It equals that of fill_pairwise() but for the rounding
-/// of r. Faces whose plane holds the centre cover no direction and are left out. Throws std::invalid_argument
-/// for lengths outside of the range of mesh/lengths.hpp. For schemes of the library; for your own include
-/// own_scheme.hpp.
+/// The table of `mesh`, which is in the centre frame. It equals the table of fill_pairwise() but for the
+/// rounding of r. Faces whose plane holds the centre cover no direction and are left out. Throws
+/// std::invalid_argument for lengths outside of the range of mesh/lengths.hpp. For schemes of the library;
+/// for your own include own_scheme.hpp.
 template <SamplingScheme S>
 RadialTable<S> fill_exact(const TriangleMesh& mesh, const S& scheme, Layer layer);
 

@@ -187,7 +187,7 @@ double change_to_be_seen(const Table& table, const Stencil& stencil, double radi
 }
 
 /// Calls visit(stencil) for the cells that may read a tap across the cell of `at`: this cell and, if the taps
-/// of the scheme reach beyond the corners of a cell, those of its for_each_cell_across().
+/// of the scheme reach beyond the corners of a cell, the cells of its for_each_cell_across().
 template <class S, class Visit>
 void for_each_cell_reading(const S& scheme, const Stencil& at, Visit&& visit) {
   visit(at);

@@ -12,7 +12,7 @@
 namespace impinge {
 namespace {
 
-// The caps of a level are smaller than those of the level before by this factor.
+// Each level is for caps smaller by this factor than in the level before.
 constexpr double kFiner = 0.25;
 constexpr double kMostBins = 512.0;
 

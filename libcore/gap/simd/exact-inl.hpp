@@ -37,8 +37,8 @@ struct Chunk {
   HWY_ALIGN float gap[kChunk];
   HWY_ALIGN std::int32_t cell[kChunk];
   std::size_t others[kChunk];  // vertices in cells that need more memory
-  std::size_t wide[kChunk];    // those of them in smooth cells
-  std::size_t rough[kChunk];   // those of them in other cells
+  std::size_t wide[kChunk];    // of these, the vertices in smooth cells
+  std::size_t rough[kChunk];   // of these, the vertices in other cells
   std::size_t doubt[kChunk];
 };
 

@@ -7,7 +7,7 @@
 ///
 /// Rounding, with u = 2^-24 (2^-53 for tables in double). A moved vertex is off by at most
 ///   E = 10.4 u (|v| + |t|)       (6 u |v| + 2 u |t| a coordinate, Cauchy-Schwarz; times sqrt 3).
-/// At the moved vertex x the gap differs from that of the table in exact arithmetic by at most
+/// At the moved vertex x the gap differs from the gap of the table in exact arithmetic by at most
 ///   u (20 (r + |x|) + (c m + 5) D)             for `cube_gnomonic` (c = 13) and `rsid` (c = 28),
 ///   u (20 (r + |x|) + (10 m + 52 m^2) D)       for `usid`, which works in double whatever it stores.
 /// Here r is the radius at x, m the number of cells of a quarter turn along a row, and D how much the radius
@@ -33,7 +33,7 @@
 
 namespace impinge {
 
-/// Writes to `gap` the gaps of the vertices, mm; it has their size. The table is that of the other surface.
+/// Writes to `gap` the gaps of the vertices, mm; it has their size. The table belongs to the other surface.
 void scan_gaps(const PackedTable<CubeGnomonic, float>& table, const PackedVertices<float>& vertices,
                const Pose& pose, Surface scanned, std::span<float> gap);
 void scan_gaps(const PackedTable<CubeGnomonic, std::uint16_t>& table, const PackedVertices<float>& vertices,

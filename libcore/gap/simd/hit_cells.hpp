@@ -30,8 +30,8 @@ inline CellGrid float_grid(std::size_t divisions) {
 /// to if places are off by the margin, and few others.
 void add_hit_cells(const CellGrid& grid, const TriangleCone& cone, std::vector<std::uint32_t>& cells);
 
-/// By the entry at which each cell begins: the numbers of those of these faces that may be met in the cell,
-/// in their order. `mesh` is in the centre frame.
+/// Lists, for the entry at which each cell begins, which of these faces may be met in the cell, in their
+/// order. `mesh` is in the centre frame.
 Lists faces_of_cells(const TriangleMesh& mesh, std::span<const std::uint32_t> faces, const CellGrid& grid);
 
 }  // namespace impinge

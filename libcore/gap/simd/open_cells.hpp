@@ -9,7 +9,7 @@
 
 namespace impinge {
 
-/// By the entry at which each cell begins: may the surface cover only a part of the cell, or jump there from
+/// For the entry at which each cell begins: may the surface cover only a part of the cell, or jump there from
 /// one layer to another, or be seen so steeply that its radius in double is uncertain in the digits of a
 /// float? In all other cells either every direction meets a face or none does. `mesh` is in the centre frame.
 std::vector<bool> open_cells(const TriangleMesh& mesh, CellGrid grid);

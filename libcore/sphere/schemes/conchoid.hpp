@@ -8,7 +8,7 @@
 //
 // In directions the spacing is h / sqrt(a^2 + b^2 + 2 a b cos(phi)) across turns and h / r along them, so
 // that entries are dense round the north pole, the axis of the hip, and sparse round the south pole, which
-// the hip does not have: with Menschik's shape 14 times as far apart. The covering radius is that of the
+// the hip does not have: with Menschik's shape 14 times as far apart. The covering radius is the gap at the
 // south pole.
 #pragma once
 

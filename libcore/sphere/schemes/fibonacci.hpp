@@ -39,7 +39,7 @@ class Fibonacci {
   static Fibonacci with_precision(double degrees);
 
   std::size_t size() const { return size_; }
-  /// Eight numbers for each entry, some of which no triangle has: see cell_of().
+  /// Eight numbers for each entry; no triangle has some of them, see cell_of().
   std::size_t cells() const { return 8 * size_; }
   /// How many entries a row round the equator would have if entries stood in squares.
   std::size_t equator_points() const {

@@ -4,7 +4,7 @@
 //
 // Ring i = 1 .. 4 nside - 1. Polar cap, i < nside: 4 i entries at z = 1 - i^2 / (3 nside^2), theta = (t +
 // 1/2) 90 / i degrees; the south mirrors it. Between, 4 nside entries at z = 4/3 - 2 i / (3 nside), theta =
-// (t + h) 90 / nside, h = 1/2 if i - nside is even, else 0. Lookup is that of the HEALPix software
+// (t + h) 90 / nside, h = 1/2 if i - nside is even, else 0. Lookup is as in the HEALPix software
 // (get_interpol): linear along the two rings next to the query, then linear in the polar angle; within the
 // first ring the mean of its 4 entries stands for the pole.
 //

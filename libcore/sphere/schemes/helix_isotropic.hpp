@@ -3,7 +3,7 @@
 // entries 2 sqrt(pi / N) radians.
 //
 // theta = sqrt(pi N) phi (Bauer 2000), that is 2 k = sqrt(pi w) in Eq. 9 of the thesis, where k = sqrt(w)
-// leaves the entries 4 / pi times as far apart along the curve as across it. Heights are those of Rakhmanov,
+// leaves the entries 4 / pi times as far apart along the curve as across it. Heights are as in Rakhmanov,
 // Saff & Zhou 1994, cos(phi_i) = 1 - 2 i / (N - 1), which put an entry on each pole as in Usid, so that one
 // lookup serves both; Bauer's own are half a step inside, 1 - (2 i + 1) / N. Away from the poles
 // N rho^2 = 2 pi: half the diagonal of a square of 2 sqrt(pi / N).

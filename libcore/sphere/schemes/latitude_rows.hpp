@@ -4,7 +4,7 @@
 //
 // m rows at phi_i = (i + 1/2) h, h = pi / m; row i has n_i = round(2 pi sin(phi_i) / h) entries, at least 3,
 // at theta = 2 pi j / n_i. The first and last row have 3 and are turned by half a step: their gaps then do
-// not face those of the next row. Lookup is linear along the two rows next to the query and then linear in
+// not face gaps of the next row. Lookup is linear along the two rows next to the query and then linear in
 // phi. Inside of the first and the last row a pole stands for the missing row, with the mean of its 3
 // entries.
 #pragma once

@@ -27,7 +27,7 @@ namespace impinge {
 
 /// Least and largest absolute value of an interval.
 struct Magnitude {
-  /// From <= to.
+  /// `from` must not be above `to`.
   Magnitude(double from, double to)
       : least(from <= 0.0 && to >= 0.0 ? 0.0 : std::min(std::abs(from), std::abs(to))),
         most(std::max(std::abs(from), std::abs(to))) {}
