@@ -13,8 +13,8 @@ struct GapHistogram {
   double width = 0.5;                                       // of a bin, mm
   std::vector<double> area = std::vector<double>(40, 0.0);  // of each bin, mm^2
   double below = 0.0;                                       // mm^2 with gaps under `first`
-  double beyond = 0.0;   // mm^2 with gaps at the end of the last bin or above
-  double without = 0.0;  // mm^2 without a gap: the other surface is not met
+  double beyond = 0.0;                                      // mm^2 with gaps at the last bin's end or above
+  double without = 0.0;                                     // mm^2 without a gap: no surface is met
 };
 
 /// Adds the area of each vertex, mm^2, to the bin of its gap: [first + k width, first + (k + 1) width) for

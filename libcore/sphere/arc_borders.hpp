@@ -13,7 +13,7 @@
 namespace impinge {
 
 /// Is a coordinate f that goes from f(0) = `from` to f(1) = `to`, with |f''| <= `most_bend`, surely monotone,
-/// or surely without a whole number? By the use of Theorem 4 (rim).
+/// or surely without a whole number? See the remark after Theorem 4 (rim).
 inline bool passes_lines_once(double from, double to, double most_bend) {
   if (std::abs(to - from) > 0.5 * most_bend) return true;
   const double aside = 0.125 * most_bend;

@@ -24,8 +24,8 @@ struct Stencil {
   std::size_t cell = 0;                // below cells()
 };
 
-/// Consecutive entries first, first + 1, ... with their directions, held coordinate by coordinate so that a
-/// filler tests several at once. Scratch memory of a walker.
+/// Consecutive entries first, first + 1, ... with their directions, coordinate by coordinate, so that several
+/// are tested at once. Scratch memory of a walker.
 struct DirectionRun {
   static constexpr std::size_t kMost = 64;  // entries that a run has room for
 
@@ -65,8 +65,8 @@ struct RunVisitor {
 ///   walker()             finds the entries near triangles, as often as it is asked, by visit_near()
 ///   visit_near(cone, margin, visit)
 ///                        calls visit(run) for runs that hold every entry inside the cone or within `margin`
-///                        radians of it, and perhaps some outside; each once, with the very numbers of
-///                        direction(i)
+///                        radians of it, and perhaps some outside; each once, and with exactly the numbers
+///                        of direction(i)
 template <class S>
 concept HasWalker = requires(const S scheme, const Vec3& x) {
   scheme.walker().visit_near(TriangleCone(x, x, x), 0.0, RunVisitor{});
@@ -84,7 +84,7 @@ concept NamesWalker = requires(const S scheme) {
 ///   citation             where the scheme is from
 ///   with_precision(d)    the scheme whose entries are d degrees apart at the equator; std::invalid_argument,
 ///                        one line that says why, if there is none
-///   precision_deg()      how far entries are apart at the equator, degrees: what with_precision() came to
+///   precision_deg()      how far entries are apart at the equator, degrees
 ///   size()               number of entries
 ///   cells()              number of cells
 ///   direction(i)         unit vector of entry i

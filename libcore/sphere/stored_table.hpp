@@ -4,8 +4,8 @@
 /// (`smooth`) or an inverse depth (`mesh_exact`); the values say in how many bytes: double, float, or 16 bits
 /// over the occupied range. The table answers as the same interpolant in double does, rim cells included, up
 /// to a bound that is found when it is made: the largest error of a stored radius, or the largest radius
-/// times the largest relative error of a stored inverse depth, by the use of Theorem 2 (table). kSumRounding
-/// times the radius is added.
+/// times the largest relative error of a stored inverse depth (see the remark after Theorem 2 (table)).
+/// kSumRounding times the radius is added.
 #pragma once
 
 #include <algorithm>
