@@ -2,12 +2,13 @@
 // Decides exactly whether the surfaces of two meshes meet when one of them is moved. The meshes may be open,
 // and may have slivers and faces that are there twice. Faces without area meet nothing.
 //
-// The answer is as by faces_meet() (mesh/meeting_faces.hpp) for all pairs of faces with an area, with the
-// corners that to_socket() gives (gap/pose.hpp). By Theorem 9 (near) runs of moved faces are left out if a
-// ball round them is clear of the other surface by the grid of distances about it (contact/near_cells.hpp),
-// or nearer to the centre than the surface along all rays near it (contact/least_radii.hpp), in floats
-// rounded outwards. Each face that is left is tested with the faces whose boxes overlap its own. Runs whose
-// middle is in a cell of the surface come first, so that a pair that meets is soon found.
+// The answer is the same as from faces_meet() (mesh/meeting_faces.hpp) for all pairs of faces with an area,
+// with the corners that to_socket() gives (gap/pose.hpp). By Theorem 9 (near) runs of moved faces are left
+// out if a ball round them is clear of the other surface by the grid of distances about it
+// (contact/near_cells.hpp), or nearer to the centre than the surface along all rays near it
+// (contact/least_radii.hpp), in floats rounded outwards. Each face that is left is tested with the faces
+// whose boxes overlap its own. Runs whose middle is in a cell of the surface come first, so that a pair that
+// meets is soon found.
 //
 // A pose of whole hip bones of 125,000 faces takes microseconds; with trees of boxes on both it takes
 // hundreds.
