@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The graph of results: programs -> data -> tables, figures -> verdicts -> report and paper.
+"""The graph of results: programs -> data -> tables, figures -> verdicts -> report and papers.
 
 Which jobs there are follows from the heads of experiments (CMakeLists.txt) and of scripts (../analysis/README.md), and from
 the folders of real joints. CMake builds the programs, Ninja decides by the file written here which jobs run, job.py runs
@@ -54,8 +54,7 @@ class Setup:
         return self.build / "graph"
 
     def program(self, name: str) -> str:
-        """A copy of a program that changes only with its bytes, so a comment edited in the library rebuilds but measures nothing
-        again."""
+        """A copy of a program that changes only with its bytes: an edited comment rebuilds but measures nothing again."""
         return str(self.graph / "programs" / name)
 
     def shorten(self, text: str) -> str:
@@ -247,20 +246,27 @@ def joint3d_jobs(setup: Setup) -> list[Job]:
     ]
 
 
-def paper_job(setup: Setup, made: list[str]) -> Job:
-    """LaTeX around generated tables, figures and facts. No date and no path goes into the PDF."""
-    shown = re.compile(r"tables/.*tex|figures/.*pdf|figures/(joint-generated|figure-50)\.png|paper/.*tex")
+PAPERS = {
+    "paper-reproduction": "The paper on the thesis: what came out again, error against time, extreme cases, what is left out.",
+    "paper-motion": "The paper on motion: certified contact, limits, all rotations, cuts, with proofs.",
+}
+
+
+def paper_jobs(setup: Setup, made: list[str]) -> list[Job]:
+    """LaTeX around generated tables, figures and facts. No date and no path goes into a PDF."""
+    shown = re.compile(r"tables/.*tex|figures/.*pdf|paper/.*tex")
     depends = [file for file in made if shown.fullmatch(file)] + heads.expanded("paper/*.{tex,bib}")
     folders = f"{SOURCE}/paper:{setup.results}/figures:{setup.results}/tables:{setup.results}/paper:"
     reproducible = ["SOURCE_DATE_EPOCH=0", "FORCE_SOURCE_DATE=1", f"TEXINPUTS={folders}", f"BIBINPUTS={folders}"]
-    latex = ["latexmk", "-pdf", "-silent", "-halt-on-error", "-file-line-error", f"{SOURCE}/paper/paper.tex"]
-    question = "The paper: method, what is proven and how, what came out again, limits."
-    command = ["env", *reproducible, *latex]
-    return Job("paper", "paper", question, "paper/paper.tex", ["paper.pdf"], depends, command, [5, 5])
+    latex = ["env", *reproducible, "latexmk", "-pdf", "-silent", "-halt-on-error", "-file-line-error"]
+    return [
+        Job(name, "paper", question, f"paper/{name}.tex", [f"{name}.pdf"], depends, [*latex, f"{SOURCE}/paper/{name}.tex"], [2, 2])
+        for name, question in PAPERS.items()
+    ]
 
 
 def all_jobs(setup: Setup) -> dict[str, Job]:
-    """All jobs by name, in the order in which the report shows them. Report and paper show what is declared before them."""
+    """All jobs by name, in the order in which the report shows them. Report and papers show what is declared before them."""
     joints, motions = find_joints(setup.bones), recorded_motions()
     names = [joint.name for joint in joints]
     words = {
@@ -278,7 +284,7 @@ def all_jobs(setup: Setup) -> dict[str, Job]:
     shown = re.compile(r"data/.*|tables/.*csv|figures/.*(svg|png)|verdicts\.csv|joint3d\.html")
     lists["SHOWN"] = " ".join(file for file in made if shown.fullmatch(file))
     jobs += [Job(**fields) for fields in heads.script_jobs("report", lists, setup.results)]
-    jobs.append(paper_job(setup, made))
+    jobs += paper_jobs(setup, made)
     if unused := heads.unused():
         sys.exit(f"{unused[0]} has no @name, and no script imports it: see analysis/README.md")
     counts = collections.Counter(artefact for job in jobs for artefact in job.artefacts)

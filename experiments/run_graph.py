@@ -236,8 +236,8 @@ def closing(results: Path, job: Job | None) -> None:
         for output in job.outputs:
             print(f"made     {results / output}")
         return
-    pages = {"report": "report.html", "Joint3D": "joint3d.html", "paper": "paper.pdf", "verdicts": "verdicts.csv"}
-    for what, name in pages.items():
+    pages = [("report", "report.html"), ("Joint3D", "joint3d.html"), *(("paper", f"{name}.pdf") for name in graph.PAPERS), ("verdicts", "verdicts.csv")]
+    for what, name in pages:
         if (results / name).is_file():
             print(f"{what:9}{results / name}")
     with (results / "verdicts.csv").open(newline="") as file:

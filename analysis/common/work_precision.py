@@ -158,8 +158,8 @@ def against_embree(own: pd.DataFrame) -> str:
     ends = dict.fromkeys(common.digits(error, 2) for error in (thesis.error_um.min(), thesis.error_um.max()))
     return (
         f"Embree errs by at most {common.digits(worst, 2)} µm, the thesis' tables of {max(degrees(own)):g}° to "
-        f"{min(degrees(own)):g}° by {' to '.join(ends)} µm. Of the {len(thesis)} of them it beats on both axes, building included: "
-        f"{', '.join(parts)}."
+        f"{min(degrees(own)):g}° by {' to '.join(ends)} µm. Of these {len(thesis)} tables it is both faster, building included, "
+        f"and more exact than {', '.join(parts)}."
     )
 
 
@@ -173,7 +173,7 @@ def paying(own: pd.DataFrame) -> str:
         poses = pays_from(row, tree)
         name = line + (f" at {row.step}" if row.step else "")
         parts.append(f"{name}: {'never' if np.isinf(poses) else f'{poses:,.0f}'}")
-    return f"Number of poses from which on it is done sooner than Embree, building included: {'; '.join(parts)}."
+    return f"Building included, a table is done sooner than Embree from so many poses on: {'; '.join(parts)}."
 
 
 def bringing(steps: pd.DataFrame) -> str:

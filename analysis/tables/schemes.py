@@ -63,7 +63,7 @@ def latex(lines: pd.DataFrame) -> str:
             r" & & & \multicolumn{2}{c}{$N\rho^2$} & area & look-up & "
             r"\multicolumn{3}{c}{saved at equal, \%} \\",
             r"\cmidrule(lr){4-5}\cmidrule(l){8-10}",
-            r"Scheme & Source & entries & all & off poles & ratio & ns & gap & $e_{99.99}$ & rms \\",
+            r"Scheme & Source & entries & all & off poles & ratio & ns & $\rho$ & $e_{99.99}$ & rms \\",
         ],
         body,
     )

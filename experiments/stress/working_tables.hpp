@@ -26,12 +26,12 @@ struct WorkingTable {
   std::vector<double> bounds;   // mm, for each answer; infinite where nothing is proven
 };
 
-// The thesis' two schemes and two recommended ones (libcore/README.md) at both precisions; for others a walk
-// along a rim in steps of a tenth of a degree takes too long. `mesh` is in the centre frame, nearest layer.
+// The thesis' two schemes and two recommended ones (sphere/schemes/README.md) at both precisions; others take
+// too long for a walk along a rim in steps of a tenth of a degree. `mesh` is in the centre frame, nearest
+// layer.
 std::vector<WorkingTable> working_tables(const TriangleMesh& mesh, std::span<const Vec3> directions);
 
-// Every scheme on an octahedron of this radius. Entries are known in closed form, so any direction can be
-// asked.
+// Every scheme on an octahedron of this radius, whose entries are known in closed form in any direction.
 std::vector<StabilityMethod> working_octahedra(double radius);
 
 }  // namespace impinge::lab
