@@ -17,7 +17,7 @@ std::string describe_certificate(const CertifyAnswer& found, bool kept) {
   } else {
     text += found.closed ? "no contact" : "surfaces do not meet";
     if (found.to_deg) text += " from 0 to " + rounded_down(*found.to_deg, 4) + " degrees";
-    if (!found.closed) text += ", and nothing is inside what is closed";
+    if (!found.closed) text += ", and nothing is inside a closed mesh";
   }
   text += formatted("; rotations rounded by %.1g degrees\n", found.rounded_deg);
   return kept ? text

@@ -288,10 +288,11 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
         ->group("The question");
   app.add_flag("--json", command->json, "print the document that summary.json holds, in place of words")
       ->group(group);
-  CLI::Option* const joints = app.add_option("--joints", command->joints,
-                                             "in place of BALL and SOCKET: a folder with one folder a joint")
-                                  ->type_name("DIR")
-                                  ->group(group);
+  CLI::Option* const joints =
+      app.add_option("--joints", command->joints,
+                     "a folder with a folder for each joint, in place of BALL and SOCKET")
+          ->type_name("DIR")
+          ->group(group);
   joints->needs(out)->excludes(ball);
   for (const char* of_one : {"--centre", "--landmarks", "--ball-part", "--socket-part", "--config"})
     joints->excludes(app.get_option(of_one));

@@ -124,11 +124,10 @@ std::function<void()> add_joint_options(CLI::App& command, JointOptions& options
   add("--landmarks", options.landmarks, "FILE",
       "points of 3D Slicer (.mrk.json, .fcsv, its table), or a CSV label,x,y,z, that give the frames of "
       "pelvis and femur");
-  read(
-      "--cartilage", "MM|scan|FILE",
-      "thickness of both layers together [none for limits, else 4], the smallest gap as scanned, or a CSV of "
-      "it by place: x,y,z,thickness_mm",
-      [](Text text, const char* /*name*/, JointOptions& of) { set_cartilage(text, of); });
+  read("--cartilage", "MM|scan|FILE",
+       "thickness of both layers together in mm; scan: the smallest gap as scanned; FILE: a CSV of "
+       "x,y,z,thickness_mm [none for limits, else 4]",
+       [](Text text, const char* /*name*/, JointOptions& of) { set_cartilage(text, of); });
   read("--keep", "all|largest", "of each file all pieces, or the largest alone [all]",
        [](Text word, const char* name, JointOptions& of) {
          constexpr std::array<std::string_view, 2> kWords{"all", "largest"};
@@ -139,8 +138,8 @@ std::function<void()> add_joint_options(CLI::App& command, JointOptions& options
       ->check(in_range(kNotNegative))
       ->excludes(
           describe(command.add_flag("--ignore-rest-contact", options.ignore_rest_contact,
-                                    "what comes on top of contact as scanned: --overlap of the least tenth "
-                                    "of a millimetre that leaves none"),
+                                    "accept the contact of the scan: --overlap with the least tenth of a "
+                                    "millimetre that leaves none"),
                    ""));
   add("--config", options.config, "FILE",
       "JSON with side, axes, centre, parts, landmarks, cartilage_mm of the joint");

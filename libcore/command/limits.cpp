@@ -75,7 +75,7 @@ std::string sentence(const LimitAnswer& of) {
     case LimitState::free:
       return "none up to " + low + " degrees";
     case LimitState::blocked:
-      return "reached before it begins" + (of.meets() ? ", " + *of.meets() : "");
+      return "reached at the start" + (of.meets() ? ", " + *of.meets() : "");
     case LimitState::limited:
       return "between " + rounded_down(limit.low_deg, 4) + " and " + rounded_up(limit.high_deg, 4) +
              " degrees" + (of.hours ? " at " + clock_text(*of.hours) + " o'clock" : "") + ", " +

@@ -200,8 +200,8 @@ void warn_of_pieces(const NamedMesh& of, const JointWording& wording, Joint& joi
 // Says which layer gaps are measured to where a ray meets a surface more than once.
 void warn_of_layers(const JointPart& part, const std::string& name, const std::string& layer, Joint& joint) {
   if (part.star_shape.star_shaped) return;
-  joint.warnings.push_back(name + ": " + describe(part.star_shape) + "; gaps are to the " + layer +
-                           " layer along each ray, contact is that of the surfaces");
+  joint.warnings.push_back(name + ": " + describe(part.star_shape) + "; gaps are measured to the " + layer +
+                           " layer along each ray, contact considers all surfaces");
 }
 
 // Returns the whole mesh, and leaves only the main surface behind.

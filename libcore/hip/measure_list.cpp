@@ -117,13 +117,13 @@ Measure judged(const Named& named, double value, const std::vector<double>& othe
   for (const double other : others) {
     if (std::isnan(other))
       return {named.name, std::nullopt, std::nullopt, named.unit,
-              "refused: it is lost when it is measured a little otherwise"};
+              "refused: with slightly different settings it is not found"};
     moved = std::max(moved, std::abs(other - value));
   }
   if (moved > most_of(named.unit)) {
-    return {named.name, std::nullopt, moved, named.unit,
-            "refused: it moves by " + formatted("%.2g ", moved) + named.unit +
-                " when it is measured a little otherwise"};
+    return {
+        named.name, std::nullopt, moved, named.unit,
+        "refused: with slightly different settings it changes by " + formatted("%.2g ", moved) + named.unit};
   }
   return {named.name, value, moved, named.unit, "measured"};
 }

@@ -35,11 +35,11 @@ struct VertexVerdicts {
       Field{"impinged", "1", "vertices with a gap of 0 or less, exactly", &VertexVerdicts::impinged},
       Field{"clear_by_bound", "1", "vertices that gap and bound prove clear",
             via(&VertexVerdicts::by_bound, &VerdictCount::clear)},
-      Field{"impinged_by_bound", "1", "and impinged",
+      Field{"impinged_by_bound", "1", "vertices that they prove impinged",
             via(&VertexVerdicts::by_bound, &VerdictCount::impinged)},
-      Field{"undecided_by_bound", "1", "and neither",
+      Field{"undecided_by_bound", "1", "vertices that they leave undecided",
             via(&VertexVerdicts::by_bound, &VerdictCount::undecided)},
-      Field{"without_gap", "1", "vertices without one", &VertexVerdicts::without_gap},
+      Field{"without_gap", "1", "vertices without a gap", &VertexVerdicts::without_gap},
       Field{"bounds_refuted", "1", "verdicts by bound that the exact test contradicts",
             &VertexVerdicts::refuted}};
 };

@@ -19,7 +19,7 @@ template <>
 inline constexpr std::tuple fields_of<TakenFaces>{
     Field{"faces", "1", "taken as the surface of the joint; the rest counts as bone", &TakenFaces::faces},
     Field{"of", "1", "faces of the whole bone", &TakenFaces::of},
-    Field{"within_mm", "mm", "from the centre they are taken", &TakenFaces::within_mm}};
+    Field{"within_mm", "mm", "distance from the centre up to which faces are taken", &TakenFaces::within_mm}};
 
 /// Frames from landmarks (hip/landmarks.hpp).
 template <>

@@ -60,7 +60,7 @@ struct LimitsRequest {
             &LimitsRequest::cartilage_mm, kNotNegative},
       Field{"rim", "",
             "the rim alone: where the socket's bone within 2.5 mm of its rim (a tenth of its radius) meets "
-            "neck, trochanter or shaft; head, floor of the socket and parts may touch, as scanned too",
+            "neck, trochanter or shaft; other contact is ignored, also in the pose of the scan",
             &LimitsRequest::rim}};
   /// Throws std::invalid_argument for an unknown motion, and for a pose with a motion that has its own.
   void check() const;
@@ -105,7 +105,7 @@ struct LimitRow {
             via(&LimitRow::told, &ToldLimit::limit, &TurnLimit::high_deg)},
       Field{"centre_low_deg", "deg", "free up to here for every common centre within 0.5 mm",
             via(&LimitRow::told, &ToldLimit::common, &CentreInterval::low_deg)},
-      Field{"centre_high_deg", "deg", "and not free here for any; null where that is not known",
+      Field{"centre_high_deg", "deg", "not free here for any such centre; null where that is not known",
             via(&LimitRow::told, &ToldLimit::common, &end_or_none)},
       Field{"half_mm_gap_deg", "deg", "where the gap of a vertex first falls to 0.5 mm",
             via(&LimitRow::told, &ToldLimit::half_mm_gap_deg)},
@@ -129,7 +129,7 @@ struct LimitAnswer : LimitRow {
                 &LimitAnswer::centre_of_rotation},
           Field{"play_low_deg", "deg", "free up to here for every play of the ball up to 0.5 mm",
                 via(&LimitAnswer::told, &ToldLimit::play, &CentreInterval::low_deg)},
-          Field{"play_high_deg", "deg", "and not free here for any; null where that is not known",
+          Field{"play_high_deg", "deg", "not free here for any such play; null where that is not known",
                 via(&LimitAnswer::told, &ToldLimit::play, &end_or_none)},
           Field{"hangs_on_less_than_half_mm", "", "does half a millimetre change it by more than 5 degrees?",
                 via(&LimitAnswer::told, &ToldLimit::hangs_on_less)},
@@ -159,11 +159,10 @@ struct LimitsAnswer {
       Field{"centre_within_mm", "mm", "how far off centres and play may be in the ranges",
             &LimitsAnswer::centre_within_mm},
       Field{"rim", "", "of the rim alone? Else of all bone", &LimitsAnswer::rim},
-      Field{
-          "rim_in_head_mm", "mm",
-          "of the rim alone: how deep the rim lies in the head as scanned; it meets the neck late there, or "
-          "not at all. Null: nowhere",
-          &LimitsAnswer::rim_in_head_mm},
+      Field{"rim_in_head_mm", "mm",
+            "of the rim alone: how deep the rim lies in the head as scanned; there it meets the neck late or "
+            "never. Null: nowhere",
+            &LimitsAnswer::rim_in_head_mm},
       Field{"limits", "", "of each motion: contact about both centres, and the gap of the cartilage",
             &LimitsAnswer::limits}};
 };

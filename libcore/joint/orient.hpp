@@ -51,7 +51,7 @@ struct OrientRequest {
             {-90.0, 90.0}},
       Field{"anteversion_deg",
             "deg",
-            "of the same, radiographic [measured]",
+            "radiographic anteversion of the socket as scanned [measured]",
             &OrientRequest::anteversion_deg,
             {-90.0, 90.0}}};
 };
@@ -89,8 +89,7 @@ struct NearestFree {
             "angle of the one rotation about the centre that does both; the least there is",
             via(&NearestFree::to, &NearestOrientation::turn_deg)},
       Field{"turn_axis", "",
-            "unit vector, frame of the meshes: the turn is anticlockwise seen against it; none where nothing "
-            "turns",
+            "unit vector in the frame of the meshes, by the right-hand rule; none where nothing turns",
             &NearestFree::axis},
       Field{"at_least_deg", "deg",
             "no orientation of the map is free after a smaller turn: undecided ones may be",
@@ -119,9 +118,9 @@ struct MapAreas {
   double open = 0.0;
 
   static constexpr std::tuple fields{
-      Field{"free", "deg^2", "every required motion is", &MapAreas::free},
-      Field{"blocked", "deg^2", "one of them is", &MapAreas::blocked},
-      Field{"unknown", "deg^2", "the ball's mesh ends under the socket on the way", &MapAreas::unknown},
+      Field{"free", "deg^2", "where every required motion is free", &MapAreas::free},
+      Field{"blocked", "deg^2", "where one of them is blocked", &MapAreas::blocked},
+      Field{"unknown", "deg^2", "where the ball's mesh ends under the socket on the way", &MapAreas::unknown},
       Field{"open", "deg^2", "undecided at the resolution", &MapAreas::open}};
 };
 

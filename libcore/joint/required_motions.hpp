@@ -18,8 +18,8 @@ inline constexpr std::string_view kNoGuide =
 
 /// The help for `require` in a request (change/required_motion.hpp).
 inline constexpr std::string_view kRequireText =
-    "motion that is to be reached, as flexion=90,internal_rotation=30: along the path from the pose of the "
-    "scan, one angle after the other, flexion, abduction, rotation; more than one may be given";
+    "motion that has to be free, such as flexion=90,internal_rotation=30: the joint turns from the pose of "
+    "the scan by flexion, then abduction, then rotation; more than one may be given";
 
 /// Throws std::invalid_argument, one line, if there is no motion, or one that moves nothing.
 inline void check_required(std::span<const Motion> require) {

@@ -264,11 +264,12 @@ void ResectRequest::check() const {
   check_required(require);
   const bool of_ball = cut == Surface::ball;
   if (of_ball && rim_mm)
-    throw std::invalid_argument("rim_mm: is of a cut of the socket; cut the socket, or leave it out");
+    throw std::invalid_argument(
+        "rim_mm: applies only to a cut of the socket; cut the socket, or leave it out");
   if (!of_ball && neck_mm)
-    throw std::invalid_argument("neck_mm: is of a cut of the ball; cut the ball, or leave it out");
+    throw std::invalid_argument("neck_mm: applies only to a cut of the ball; cut the ball, or leave it out");
   if (!of_ball && least)
-    throw std::invalid_argument("least: is of a cut of the ball; cut the ball, or leave it out");
+    throw std::invalid_argument("least: applies only to a cut of the ball; cut the ball, or leave it out");
 }
 
 ResectAnswer answer(Session& session, const ResectRequest& request) {

@@ -45,8 +45,8 @@ struct ResectRequest {
       Field{"rim_mm", "mm", "how far inside its rim a cut of the socket may come; 5 where it is not given",
             &ResectRequest::rim_mm, kPositive},
       Field{"neck_mm", "mm",
-            "least uncut width about the axis of the neck, of a cut of the ball; 70 % of the neck's width "
-            "where it is not given",
+            "least width of the neck that a cut of the ball leaves; 70 % of the neck's width where it is not "
+            "given",
             &ResectRequest::neck_mm, kPositive},
       Field{"least", "",
             "also the smallest cut of the ball that may leave an undercut; the socket must be a closed mesh",

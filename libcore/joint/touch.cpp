@@ -165,11 +165,12 @@ std::string describe_contact(const TouchAnswer& found, const std::string& pose,
   const std::string depth =
       overlap ? ", " + rounded_up(-gap->gap_mm, 3) + " mm deep along a ray" + place_of(*gap) : "";
   const std::string on_top =
-      overlap && !options.overlap.empty() ? "; " + options.overlap + " asks for what comes on top" : "";
+      overlap && !options.overlap.empty() ? "; " + options.overlap + " accepts it" : "";
   const std::string blocked = options.rim ? "blocked where the rim itself touches neck or shaft" : "blocked";
-  return both_of(found.contact) + " touch " + pose + depth + ": what begins there is " + blocked +
+  return both_of(found.contact) + " touch " + pose + depth + ": every motion that begins there is " +
+         blocked +
          "; check the centre, the frame and the segmentation of both (a head "
-         "and a liner of one nominal radius need their play)" +
+         "and a liner of equal radius need a clearance)" +
          on_top;
 }
 
@@ -179,7 +180,7 @@ std::string describe_threshold(const TouchAnswer& found, const std::string& pose
   if (found.contact.state == Contact::yes || !gap || gap->gap_mm > options.threshold_mm) return {};
   return "the smallest gap " + pose + " is " + rounded_down(gap->gap_mm, 3) + " mm" + place_of(*gap) +
          formatted(", not above the %g mm of ", options.threshold_mm) + options.threshold +
-         ": what asks for a gap of that size is blocked from the start; give less";
+         ": every limit for that gap is blocked from the start; give a smaller one";
 }
 
 Pose scanned_pose(const SessionJoint& joint) {

@@ -84,7 +84,7 @@ struct VolumeAnswer {
       Field{"reachable_low", "1", "share that is reached from the pose of the scan without contact, at least",
             via(&VolumeAnswer::shares, &VolumeShares::reached)},
       Field{"reachable_high", "1", "at most", via(&VolumeAnswer::shares, &VolumeShares::within_reach)},
-      Field{"neutral_blocked", "", "is the pose of the scan?", &VolumeAnswer::neutral_blocked},
+      Field{"neutral_blocked", "", "is the pose of the scan blocked?", &VolumeAnswer::neutral_blocked},
       Field{"unknown", "1", "share of which nothing is known: the ball's mesh ends there",
             via(&VolumeAnswer::shares, &VolumeShares::unknown)},
       Field{"open", "1", "share that is undecided", via(&VolumeAnswer::shares, &VolumeShares::open)},
