@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  How large is the table of each scheme, and what does filling it take? (Tables 2, 6, 7)
+// @question  How large is the table of each scheme, and how much memory does filling take? (Tables 2, 6, 7)
 // @writes    lut_memory fill_memory
 // @timing    no
 // @seconds   20 20
 // @links     harness table gap thesis_forms
 //
-// Every table is really made and filled with a surface that has a rim. Its bytes are those of its radii, and
-// those of its rim mask beside them; the allocator is asked whether it handed out more. While a table is
-// filled everything that C++ allocates is counted: the thesis fills its helix by way of a grid, which is
-// there as well.
+// Every table is really made and filled with a surface that has a rim. Its bytes are those of its radii and
+// its rim mask; the allocator is asked whether it handed out more. While a table is filled, everything that
+// C++ allocates is counted. The thesis fills its helix from a grid, so the grid is counted, too.
 
 #include <algorithm>
 #include <array>
@@ -27,13 +26,13 @@
 
 namespace {
 
-// Blocks of operator new that are large, as they were asked for, so that a run counts the same bytes as
-// another; and the most of them at a time since the last reset. All of it without memory of its own.
+// Large blocks of operator new, by the size that was asked for, so that each run counts the same bytes; and
+// the largest sum of them since the last reset. None of this allocates memory of its own.
 struct Block {
   void* at = nullptr;
   std::size_t bytes = 0;
 };
-constexpr std::size_t kLarge = 65536;  // bytes: what is smaller is not counted
+constexpr std::size_t kLarge = 65536;  // bytes: smaller blocks are not counted
 std::array<Block, 256> blocks;
 std::size_t in_use = 0;
 std::size_t peak = 0;
@@ -65,7 +64,7 @@ void uncounted(void* memory) noexcept {
 
 }  // namespace
 
-// Of the whole program, one thread.
+// For the whole program, with one thread.
 void* operator new(std::size_t size) { return counted(std::malloc(std::max<std::size_t>(size, 1)), size); }
 void* operator new(std::size_t size, std::align_val_t align) {
   const auto to = static_cast<std::size_t>(align);
@@ -85,8 +84,8 @@ using namespace impinge::lab;
 
 constexpr std::array kPrecisions{1.0, 0.5, 0.1, 0.05};  // degrees
 constexpr std::size_t kTriangles = 300;                 // of the socket: any rim takes the whole mask
-// Bytes that the allocator may add: headers and pages. Radii that ask for large pages begin at one and end
-// at one: what lies before and behind is never touched.
+// Bytes that the allocator may add: headers and pages. Radii that ask for large pages begin and end at a
+// page; the bytes before and behind them are never touched.
 constexpr std::size_t kAllocatorShare = 16384;
 constexpr std::size_t kLargePage = std::size_t{1} << 21;
 
@@ -95,15 +94,15 @@ std::size_t allocated_bytes() {
   return state.uordblks + state.hblkhd;
 }
 
-// Bytes of the radii of a table, and of its rim mask.
+// Bytes of a table's radii and of its rim mask.
 struct TableBytes {
   std::size_t radii;
   std::size_t mask;
 };
 
-// Of a filled table that is really there: of its copy, since filling also makes what schemes keep for
-// themselves. Throws std::runtime_error when it holds more memory than radii and mask, or has no mask: only
-// where a scheme does not say where its cells end, entries beside a rim are left out instead.
+// The bytes of a filled table. It counts a copy, since filling also makes what schemes keep for themselves.
+// Throws std::runtime_error if the table holds more memory than radii and mask, or has no mask. Only a scheme
+// that does not say where its cells end has none; it leaves out entries beside a rim instead.
 template <SamplingScheme S>
 TableBytes measured_bytes(const TriangleMesh& socket, const S& scheme) {
   const RadialTable<S> filled = fill_exact(socket, scheme, Layer::nearest);
@@ -128,7 +127,7 @@ Cell helix_turns(const S& scheme) {
   return {};
 }
 
-// Entries of the turns of a helix at the equator, counted: fewest and most.
+// The fewest and most entries of a helix's turns at the equator, counted.
 template <SamplingScheme S>
 std::array<Cell, 2> counted_at_equator(const S& scheme) {
   if constexpr (requires { scheme.helix_turns(); }) {
@@ -166,7 +165,7 @@ void add_filling(Table& table, const TriangleMesh& socket, const FillMethod<S>& 
   }
 }
 
-// fill_memory.csv: what is there at a time while one table is filled, by the thesis' ways and ours.
+// fill_memory.csv: the most memory in use while one table is filled, by the thesis' ways and ours.
 Result fill_memory(const TriangleMesh& socket) {
   Result result{"fill_memory",
                 "How much memory does filling a table take at its peak?",

@@ -5,12 +5,12 @@
 // @seconds   114 330
 // @links     harness methods
 //
-// The generated pair of 3,000 triangles a model. One run fills the table of the ball and that of the socket.
-// Tables are made, emptied, masked along their rim and freed within it, but for the methods that end in
-// _kept: there they are made once, and what is timed is drawing into them, as in the thesis.
+// On the generated pair of 3,000 triangles per model, one run fills the tables of ball and socket. Making,
+// emptying, masking and freeing the tables is part of the time. Methods that end in _kept are timed as in the
+// thesis: their tables are made once, and only drawing into them is timed.
 //
-// A pairwise filling does one test for each triangle and entry, so where all entries would take too long, a
-// part of them that is spread evenly over the table is timed, and scaled by their number.
+// A pairwise filling tests each triangle against each entry. Where that would take too long, only a part of
+// the entries, spread evenly over the table, is timed; the time is scaled by their number.
 
 #include <array>
 #include <memory>
@@ -30,21 +30,21 @@ using namespace impinge::lab;
 
 constexpr std::array kPrecisions{1.0, 0.5, 0.1, 0.05};  // degrees
 constexpr std::size_t kTriangles = 3000;                // of each model
-constexpr std::size_t kChecked = 2000;                  // entries of a table, before it is timed
-constexpr double kCheckedAt = 6.0;                      // degrees, of the table of a slow filling
-constexpr double kTestSeconds = 1e-9;  // a ray against a prepared triangle, for the time left alone
-constexpr double kLong = 5e9;  // tests of a filling that is not run once more to find out how long it takes
-constexpr int kRoundsOfAPart = 7;  // of a pairwise filling
+constexpr std::size_t kChecked = 2000;  // entries of a table that are checked before it is timed
+constexpr double kCheckedAt = 6.0;      // degrees, precision at which a slow filling is checked
+constexpr double kTestSeconds = 1e-9;   // a ray against a prepared triangle, to estimate the time left
+constexpr double kLong = 5e9;      // tests: a longer filling is not run just to find out how long it takes
+constexpr int kRoundsOfAPart = 7;  // rounds of a part of a pairwise filling
 
-// How many tests of a ray against a triangle a pairwise filling may take to be timed whole, and how many of
-// a larger one are timed in a round.
+// Most tests of a ray against a triangle for which a pairwise filling is timed whole, and the number of tests
+// in a round for which a larger one is timed.
 struct PairwiseSize {
   double most_whole;
   double in_a_part;
 };
 
 int rounds_at(double precision) { return precision < 0.1 ? 3 : precision < 0.5 ? 9 : 15; }
-// By way of a grid a round takes seconds.
+// A round takes seconds if tables are filled from a grid.
 int rounds_by_grid(double precision) { return precision < 0.5 ? 3 : 9; }
 
 std::vector<Cell> key_of(std::string_view method, double precision) {
@@ -67,12 +67,11 @@ TimedCase make_case(const FillMethod<S>& method, const BallSocketPair& pair, dou
   return timed;
 }
 
-// USID by the other reading of the thesis, entries at equal arcs; at fine precisions finding these takes
-// minutes.
+// USID in the other reading of the thesis, with entries at equal arcs. Finding fine ones takes minutes.
 constexpr FillMethod<UsidArc> kUsidArcThesis{"usid_arc_thesis", fill_resampled<UsidArc>, resampling_bound};
-constexpr double kFinestArcs = 0.5;  // degrees
+constexpr double kFinestArcs = 0.5;  // degrees, finest precision with equal arcs
 
-// Both fillings of tables that are there already; the first makes them.
+// Both fillings of existing tables; the first filling makes the tables.
 void add_kept(std::vector<TimedCase>& cases, const BallSocketPair& pair, double precision) {
   const auto kept = std::make_shared<KeptTables>(pair, precision);
   TimedCase grids;
@@ -86,7 +85,7 @@ void add_kept(std::vector<TimedCase>& cases, const BallSocketPair& pair, double 
   TimedCase helices = grids;
   helices.key = key_of("usid_thesis_kept", precision);
   helices.rounds = rounds_by_grid(precision);
-  helices.verify = nullptr;  // by the other
+  helices.verify = nullptr;  // already verified by the other
   helices.run = [=] {
     kept->fill_helices();
     benchmark::DoNotOptimize(kept->socket_helix().radii().data());
@@ -95,8 +94,8 @@ void add_kept(std::vector<TimedCase>& cases, const BallSocketPair& pair, double 
   cases.push_back(helices);
 }
 
-// Rays against every triangle of both models: cast(u, layer) of the ball and of the socket. Fewer units than
-// one are a part of the entries.
+// Rays against every triangle of both models; cast(u, layer) exists for the ball and for the socket. Fewer
+// than one unit means a part of the entries.
 template <SamplingScheme S, class CastBall, class CastSocket>
 TimedCase rays_case(std::string_view name, double precision, const PairwiseSize& size, const CastBall& ball,
                     const CastSocket& socket) {
@@ -142,8 +141,8 @@ TimedCase thesis_pairwise_case(const BallSocketPair& pair, double precision, con
 }
 
 std::vector<TimedCase> make_cases(const BallSocketPair& pair, bool quick) {
-  const PairwiseSize prepared{quick ? 1e9 : 4e10, 1e8};  // a nanosecond a test: 1 degree whole, or 0.1
-  const PairwiseSize plain{quick ? 0.0 : 4e8, 1e7};      // eleven: none whole, or 1 degree
+  const PairwiseSize prepared{quick ? 1e9 : 4e10, 1e8};  // a nanosecond per test: 1 degree whole, or 0.1
+  const PairwiseSize plain{quick ? 0.0 : 4e8, 1e7};      // eleven nanoseconds: none whole, or 1 degree
   std::vector<TimedCase> cases;
   for (const double precision : kPrecisions) {
     cases.push_back(pairwise_case<Rsid>("pairwise", pair, precision, prepared));

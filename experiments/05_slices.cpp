@@ -6,8 +6,8 @@
 // @seconds   1 4
 // @links     harness real_joints spectrum
 //
-// The thesis' slices of a sphere; then its question put to the surfaces themselves: the power of their
-// spherical harmonics by degree, and the entries that the sampling theorems ask for.
+// First the thesis' slices of a sphere. Then the same question for real surfaces: the power of their
+// spherical harmonics by degree, and the number of entries that sampling theorems require.
 
 #include <algorithm>
 #include <array>
@@ -31,11 +31,11 @@ namespace {
 using namespace impinge;
 using namespace impinge::lab;
 
-// `own` columns, then band_limit and what each theorem asks for at it, beside a scheme that has
-// reference_entries.
+// A table of band limits: its `own` columns, the band limit, and the entries that each theorem requires,
+// compared with a scheme that has reference_entries.
 struct BandLimitTable {
   Table table;                        // with `own` columns first
-  std::size_t reference_entries = 0;  // of the scheme beside it
+  std::size_t reference_entries = 0;  // of the scheme that is compared
 };
 
 // A surface sampled on a Gauss grid.
@@ -44,18 +44,17 @@ struct NamedSurface {
   std::vector<double> radii;  // mm, of a Gauss grid; NaN where there is no surface
 };
 
-// What is asked of a band limit: a share of the power of degrees 1 and up, or that what is left out is no
-// more than so many mm (root mean square over the sphere).
+// A band limit must carry one of these shares of the power of degrees 1 and up, or leave out only a rest.
 constexpr std::array kPowerShares{0.99, 0.999, 0.9999};
 
-constexpr std::array kRests{0.1, 0.05, 0.02};  // mm
+constexpr std::array kRests{0.1, 0.05, 0.02};  // mm, root mean square over the sphere
 
 struct SpectrumTables {
   Table spectrum;         // surface, filling, degree, power, cumulative_share
   BandLimitTable limits;  // surface, filling, covered_share, asked, power_share, rest_rms_mm, band_limit ...
 };
 
-// With its columns, and no row; `reference` is the scheme's name.
+// A table with its columns and no rows; `reference` is the scheme's name.
 BandLimitTable band_limit_table(std::vector<Column> own, std::string_view reference,
                                 std::size_t reference_entries) {
   BandLimitTable limits;
@@ -105,7 +104,7 @@ void add_surface(SpectrumTables& tables, const GaussGrid& grid, const NamedSurfa
   for (const double rest : kRests) add("rest_rms_mm", rest, band_limit_leaving(power, rest));
 }
 
-// A surface with holes has rows for each way of filling them, one without has rows for none.
+// A surface with holes has rows for each way to fill them; a surface without has rows for none.
 SpectrumTables spectrum_tables(const GaussGrid& grid, const std::vector<NamedSurface>& surfaces,
                                std::string_view reference, std::size_t reference_entries) {
   SpectrumTables tables;
@@ -137,7 +136,7 @@ SpectrumTables spectrum_tables(const GaussGrid& grid, const std::vector<NamedSur
 
 constexpr double kRadius = 22.0;         // mm (thesis, Section 3.5.2)
 constexpr double kThickness = 1.25;      // mm
-constexpr double kPixel = 0.7;           // mm: 360 mm in 512 pixels; the thesis gives the 512 alone
+constexpr double kPixel = 0.7;           // mm: 360 mm in 512 pixels; the thesis only gives the 512
 constexpr std::size_t kGridLimit = 256;  // the faces of the heads are 2 degrees wide, 0.7 degrees a column
 constexpr const char* kReference = "RSID at 1 degree";
 
@@ -174,7 +173,7 @@ void write_slices(DriverRun& run) {
   run.write(limits);
 }
 
-// Both names end in `suffix`.
+// The names of both results end in `suffix`.
 void write_spectra(DriverRun& run, const std::string& suffix, const std::vector<NamedSurface>& surfaces) {
   SpectrumTables tables = spectrum_tables(GaussGrid(kGridLimit), surfaces, kReference, reference_entries());
   Result spectrum{"spectrum" + suffix, "How is the shape of a head spread over degrees?"};

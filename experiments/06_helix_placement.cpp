@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  Where do the entries of the thesis' helix stand, and what does Eq. 10 do to a look-up? (Figures
-// 47-48)
+// @question  Where do the entries of the thesis' helix stand, and how far off is Eq. 10? (Figures 47-48)
 // @writes    helix_placement helix_curve helix_neighbours helix_lookup_error
 // @timing    no
 // @seconds   3 60
 // @links     harness curves mesh
 //
 // "Equally distributed along the curve with a distance dx" has two readings: equal steps of the travelled
-// distance of Eq. 10, and of true arc length.
+// distance of Eq. 10, or equal steps of true arc length.
 
 #include <array>
 #include <cmath>
@@ -31,7 +30,7 @@ namespace {
 using namespace impinge;
 using namespace impinge::lab;
 
-constexpr std::size_t kPointsPerTurn = 72;  // of a drawn curve
+constexpr std::size_t kPointsPerTurn = 72;  // points per turn of a drawn curve
 
 Vec3 on_curve(double turns, double phi) { return to_direction({phi, 2.0 * turns * phi}); }
 
@@ -58,8 +57,8 @@ Result helix_curve(std::span<const std::size_t> turns) {
   return result;
 }
 
-// helix_neighbours.csv: the steps of the look-up of a vertex in this direction, and the way from the start of
-// the curve to P_b. std::invalid_argument where the vertex has three neighbours.
+// helix_neighbours.csv: the steps of the look-up of a vertex in this direction, and the path from the start
+// of the curve to P_b. Throws std::invalid_argument if the vertex has three neighbours.
 Result helix_neighbours_of(std::size_t turns, const Vec3& vertex) {
   Result result{
       "helix_neighbours", "Which entries does a look-up at the vertex of Figure 48 read?", {}, {}, {}};
@@ -158,10 +157,9 @@ Result helix_lookup_errors(std::span<const std::size_t> turns) {
   return result;
 }
 
-constexpr std::array<std::size_t, 4> kTurns{229, 458, 2292, 4584};  // Table 6
-constexpr std::array<std::size_t, 3> kDrawn{10, 20, 40};            // Figure 47
-const Vec3 kVertex =
-    to_direction({48.0 * kDegree, 36.0 * kDegree});  // of Figure 48, with kDrawn.front() turns
+constexpr std::array<std::size_t, 4> kTurns{229, 458, 2292, 4584};    // Table 6
+constexpr std::array<std::size_t, 3> kDrawn{10, 20, 40};              // Figure 47
+const Vec3 kVertex = to_direction({48.0 * kDegree, 36.0 * kDegree});  // Figure 48, with kDrawn.front() turns
 
 Result placement() {
   Result result{
@@ -197,7 +195,8 @@ Result placement() {
 }
 
 void body(DriverRun& run) {
-  // The entries at equal arc are roots, a few microseconds each: the finest helix is left out, in quick two.
+  // Entries at equal arcs are roots and take a few microseconds each. Quick leaves out two helices, full the
+  // finest.
   const std::span<const std::size_t> looked_up(kTurns.data(), run.quick() ? 2 : 3);
   for (Result result : {placement(), helix_curve(kDrawn), helix_neighbours_of(kDrawn.front(), kVertex),
                         helix_lookup_errors(looked_up)}) {

@@ -28,7 +28,7 @@ using namespace impinge::lab;
 
 constexpr int kSteps = 360;
 
-// conchoid_curve.csv: the meridian from apex to phi = 180 degrees, half a degree a row.
+// conchoid_curve.csv: the meridian from apex to phi = 180 degrees, one row per half degree.
 Result conchoid_curve(const ConchoidShape& shape) {
   Result result{"conchoid_curve", "What does the conchoid look like?", {}, {}, {}};
   result.table.columns = {{"phi_deg", "deg", "polar angle at the conchoid's origin, from the apex"},
@@ -79,7 +79,7 @@ Result conchoid_cap(const ConchoidShape& shape) {
   return result;
 }
 
-constexpr std::size_t kPlaces = 901;  // on the arc, to find the extreme rates
+constexpr std::size_t kPlaces = 901;  // places on the arc at which the extreme rates are sought
 
 // conchoid_spacing.csv: every segment, for each origin and number of rays.
 Result conchoid_segments(const ConchoidShape& shape, std::span<const std::size_t> ray_counts) {
@@ -104,7 +104,7 @@ Result conchoid_segments(const ConchoidShape& shape, std::span<const std::size_t
   return result;
 }
 
-// conchoid_origins.csv: what the segments of ever more rays approach, arc per angle, for each origin.
+// conchoid_origins.csv: the limit of the segments for many rays, arc per angle, for each origin.
 Result conchoid_origins(const ConchoidShape& shape) {
   Result result{"conchoid_origins", "How uneven are the segments of many rays from each origin?", {}, {}, {}};
   result.table.columns = {{"origin", "", "of the rays"},
@@ -132,8 +132,8 @@ constexpr std::array<std::size_t, 3> kRays{4, 91, 901};     // Table 10, Section
 constexpr std::array<std::size_t, 2> kSegmentRays{11, 91};  // drawn in Figure 53, and at 1 degree
 constexpr std::size_t kRings = 31;                          // 3 degrees apart, apex and rim included
 constexpr std::size_t kPerRing = 120;
-constexpr std::size_t kPieces = 400;  // of surface a point
-constexpr std::size_t kBands = 9;     // of 10 degrees
+constexpr std::size_t kPieces = 400;  // pieces of surface per point
+constexpr std::size_t kBands = 9;     // bands of 10 degrees
 
 Result angles() {
   Result result{"conchoid_angles", "By how much is each sampling ray turned?", {}, {}, {}};

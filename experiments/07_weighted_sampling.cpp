@@ -6,9 +6,9 @@
 // @seconds   20 60
 // @links     harness real_joints curves gap hip
 //
-// Caps whose axis is that of the table: Menschik's conchoid, meshed; the sockets of the thesis' two
-// stand-ins, and of real joints. The error is that of a gap: the radius of a look-up against that of the
-// mesh, along random directions that meet the cap no farther than 80 degrees from its axis.
+// The axis of each cap is the axis of the table. The caps are Menschik's conchoid as a mesh, the sockets of
+// the thesis' two stand-ins, and real sockets. The error is that of a gap: the radius of a look-up minus the
+// mesh's, along random directions that meet the cap within 80 degrees of its axis.
 
 #include <algorithm>
 #include <array>
@@ -45,16 +45,16 @@ using namespace impinge::lab;
 constexpr std::array kPrecisions{2.0, 1.0, 0.5};  // degrees
 constexpr std::size_t kFaces = 12000;             // of a generated cap
 constexpr std::size_t kAsked = 20000;             // directions
-constexpr std::size_t kChecked = 500;             // entries of a table, before it is used
+constexpr std::size_t kChecked = 500;             // entries of a table that are checked before it is used
 constexpr double kRounding = 1e-9;                // mm
-const double kEdge = std::cos(80.0 * kDegree);    // of the angle from the axis up to which is asked
-constexpr const char* kTimed = "patient_a";       // the cap on which times are taken
+const double kEdge = std::cos(80.0 * kDegree);    // cosine of the largest angle of a direction from the axis
+constexpr const char* kTimed = "patient_a";       // cap on which times are taken
 
 struct Cap {
   std::string joint;
   TriangleMesh mesh;  // about the origin, its axis +z
   std::vector<Vec3> asked = {};
-  std::vector<double> radius = {};  // of the mesh along them, mm
+  std::vector<double> radius = {};  // of the mesh along the directions
   std::shared_ptr<const RayCaster> caster = nullptr;
 };
 
@@ -110,7 +110,7 @@ std::vector<Cell> key_of(const std::string& joint, std::string_view scheme, doub
   return {joint, scheme, precision, what};
 }
 
-// Entries are the radii of the mesh, by brute force at some of them; else std::runtime_error.
+// Checks some entries against the radii of the mesh by brute force. Throws std::runtime_error if they differ.
 template <SamplingScheme S>
 void require_exact(const RadialTable<S>& table, const Cap& cap) {
   const std::size_t step = std::max<std::size_t>(table.scheme().size() / kChecked, 1);
@@ -122,8 +122,8 @@ void require_exact(const RadialTable<S>& table, const Cap& cap) {
   }
 }
 
-// One cap, scheme and precision: its cells up to the errors, the error of each gap that is asked (mm; NaN
-// without an answer), and on one cap the cases that time it.
+// One cap, scheme and precision: its cells before the errors, the error of each gap (mm; NaN without an
+// answer), and on the timed cap the cases that time it.
 struct Sampled {
   std::vector<Cell> cells;
   std::vector<double> off;
@@ -155,8 +155,7 @@ Sampled sample(const Cap& cap, double precision, std::string_view label) {
   return found;
 }
 
-// Adds the cells of the errors, of gaps that every one of them answers: what is beside a rim is left out by
-// some.
+// Adds the cells of the errors, over the gaps that all answer, since some leave out what is beside a rim.
 void add_errors(std::vector<Sampled>& every) {
   for (Sampled& one : every) {
     one.cells.emplace_back(std::ranges::count_if(one.off, [](double off) { return std::isfinite(off); }));

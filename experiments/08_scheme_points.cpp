@@ -5,7 +5,7 @@
 // @seconds   1 1
 // @links     harness scheme_metrics
 //
-// Tables small enough for their entries to be seen in a picture.
+// The tables are so small that their entries can be seen in a picture.
 
 #include "harness/driver.hpp"
 #include "scheme_metrics/scheme_metrics.hpp"

@@ -5,8 +5,7 @@
 // @seconds   12 120
 // @links     harness scheme_metrics
 //
-// In four meanings of "as good": see scheme_metrics/scheme_metrics.hpp. Each time a table of the scheme is
-// made and measured.
+// "As good" has four meanings (scheme_metrics/scheme_metrics.hpp). For each a table is made and measured.
 
 #include <array>
 
@@ -21,13 +20,13 @@ namespace {
 using namespace impinge;
 using namespace impinge::lab;
 
-constexpr std::array kPrecisions{1.0, 0.5};  // degrees, of RSID
-constexpr double kFinestInQuick = 1.0;       // beyond it equal spacing alone is counted
+constexpr std::array kPrecisions{1.0, 0.5};  // degrees, precisions of RSID
+constexpr double kFinestInQuick = 1.0;       // finer ones are only counted at equal spacing
 constexpr std::size_t kProbes = 400000;      // directions in which tables are compared with the function
 constexpr std::size_t kProbesInQuick = 100000;
 constexpr BandLimitedChoice kFunction;
 
-// What is to be equalled.
+// What a table must equal.
 struct Target {
   Rsid rsid;
   double covering_radius = 0.0;
@@ -38,7 +37,7 @@ struct AddRows {
   DriverRun& run;
   const ErrorProbe& probe;
   const Target& target;
-  bool quality;  // beside equal spacing
+  bool quality;  // measure more than equal spacing?
   Table& table;
 
   template <SamplingScheme S>

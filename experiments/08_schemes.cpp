@@ -6,7 +6,7 @@
 // @links     harness scheme_metrics
 //
 // Every scheme of the list, with about as many entries as RSID has at 1 degree. Everything is measured on the
-// directions and the stencils of the scheme; declared_radius_deg alone is what it says of itself.
+// directions and stencils of the scheme; only declared_radius_deg is what the scheme says of itself.
 
 #include "harness/driver.hpp"
 #include "scheme_metrics/interpolation_error.hpp"
@@ -23,7 +23,7 @@ using namespace impinge::lab;
 
 constexpr std::size_t kProbes = 400000;  // directions in which tables are compared with the function
 constexpr std::size_t kProbesInQuick = 100000;
-constexpr std::size_t kPolarProbes = 20000;  // more of them within 1 degree of the poles
+constexpr std::size_t kPolarProbes = 20000;  // additional directions within 1 degree of the poles
 constexpr BandLimitedChoice kFunction;
 
 const Column kScheme{"scheme", "", "name of the sampling scheme"};

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  How long does a look-up take with each scheme, and does finding its entries take longer the more
-// there are?
+// @question  How long does a look-up take with each scheme, and does it slow down as tables grow?
 // @writes    lookup_time lookup_time_samples stencil_time stencil_time_samples
 // @timing    yes
 // @seconds   15 65
 // @links     harness scheme_metrics
 //
-// Tables of about as many entries as RSID has at 1 degree, half a megabyte, looked up at points in random
-// directions: no look-up profits from the one before it, as neighbouring vertices of a mesh would. The points
-// are as far from the centre as vertices of a hip are, so that a scheme that needs unit vectors makes them.
-// The thesis says that polyhedra need a search, O(n log n) for n look-ups (Section 4.5). Of that only the
-// stencil is computed, no radius is read: the memory of a larger table is slower, whatever the scheme.
+// Tables have about as many entries as RSID has at 1 degree, half a megabyte. They are looked up at points in
+// random directions, so no look-up profits from the one before it, as with neighbouring vertices of a mesh.
+// The points are as far from the centre as vertices of a hip, so a scheme that needs unit vectors has to make
+// them. The thesis says that polyhedra need a search, O(n log n) for n look-ups (Section 4.5). To test this
+// only the stencil is computed and no radius is read, since the memory of a larger table is slower anyway.
 
 #include <array>
 #include <cmath>
@@ -34,7 +33,7 @@ using namespace impinge;
 using namespace impinge::lab;
 
 constexpr std::size_t kLookups = 20000;  // in one run
-constexpr std::size_t kChecked = 2000;   // of them
+constexpr std::size_t kChecked = 2000;   // of these, verified
 constexpr std::array<std::size_t, 2> kStencilEntries{1000,
                                                      1000000};  // a search would take twice as many steps
 constexpr double kNearest = 20.0;                               // mm
@@ -54,8 +53,8 @@ std::vector<Vec3> points(std::uint64_t seed) {
 
 double true_radius(const Vec3& u) { return kMean + kSlope.dot(u); }
 
-// No tap is farther from the direction than the stencil radius, so the mean of their radii is not off by more
-// than the radius changes on that way.
+// No tap is farther from the direction than the stencil radius. The mean of the taps' radii is therefore off
+// by no more than the radius changes over that angle.
 template <SamplingScheme S>
 void verify(const RadialTable<S>& table, const std::vector<Vec3>& points) {
   const double bound = kSlope.norm() * table.scheme().stencil_radius() + 1e-12 * kMean;
@@ -82,7 +81,7 @@ void verify(const S& scheme, const std::vector<Vec3>& points) {
   }
 }
 
-// The cases of both questions; the points outlive them.
+// The cases of both questions; `points` must outlive them.
 struct Cases {
   bool quick;
   const std::vector<Vec3>& points;

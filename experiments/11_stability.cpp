@@ -5,9 +5,9 @@
 // @seconds   84 400
 // @links     harness stress
 //
-// Every family of experiments/stress/families/: its parameter is turned from harmless to extreme
-// (stress/family.hpp), and each answer is held against the exact one. The run fails, with the results
-// written, if ours fails in a case that it does not refuse, or if a method that is wrong on purpose does not.
+// Each family of experiments/stress/families/ varies its parameter from harmless to extreme
+// (stress/family.hpp) and compares each answer with the exact one. The run writes its results and then fails
+// if our method fails in a case that it does not refuse, or if a method made wrong on purpose passes.
 
 #include <stdexcept>
 #include <string>

@@ -6,8 +6,8 @@
 // @seconds   1 1
 // @links     harness real_joints table hip thesis_forms
 //
-// The generated socket, that of a hip (Figure 40), and real ones when they are given. The tables are filled
-// as in the thesis: the raster on the grid, and the helix resampled from it.
+// Sockets of the generated pair and of a hip (Figure 40), and real ones if given. The tables are filled as in
+// the thesis: the raster on the grid, and the helix resampled from it.
 
 #include <cmath>
 
@@ -27,16 +27,16 @@ using namespace impinge::lab;
 constexpr double kPrecision = 1.0;         // degrees, as in the figure
 constexpr std::size_t kTriangles = 12000;  // of the generated socket
 constexpr double kDigits = 1e4;            // points are rounded to 1e-4 mm
-constexpr const char* kHip = "patient_a";  // stand-in for the patient of the figure
+constexpr const char* kHip = "patient_a";  // stand-in for the patient in the figure
 
-// A socket and where it stands.
+// A socket and its position.
 struct Socket {
   std::vector<Cell> key;  // the subject, if there is one
   TriangleMesh mesh;      // in the centre frame, mm
   Vec3 centre = Vec3::Zero();
 };
 
-// The points of the surface at the entries that have one, in the input frame.
+// Adds the points of the surface at those entries that have one, in the input frame.
 template <SamplingScheme S>
 void add_points(const Socket& socket, const RadialTable<S>& table, Table& points) {
   for (std::size_t i = 0; i < table.radii().size(); ++i) {

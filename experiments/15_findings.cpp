@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  Which statements of the thesis hold where no other experiment looks?
+// @question  Do those statements of the thesis hold that no other experiment tests?
 // @writes    finding_comparison finding_interpolation finding_grids
 // @timing    no
 // @seconds   3 3
 // @links     harness gap thesis_forms
 //
-// The comparison of Algorithms 2 and 3 for both scans; how far a radius that is linear in the angles is from
-// the mesh and from the sphere behind it, and how far the faces of the heads of Tables 4 and 9 are inside it;
-// the steps of a table of n by n entries (Section 3.6.3).
+// Tests the comparison of Algorithms 2 and 3 for both scans; how far a radius that is linear in the angles is
+// from the mesh and from the sphere behind it, and how far inside that sphere the faces of the heads of
+// Tables 4 and 9 lie; and the steps of a table of n by n entries (Section 3.6.3).
 
 #include <array>
 #include <cmath>
@@ -27,11 +27,11 @@ namespace {
 
 constexpr std::size_t kPairFaces = 3000;
 constexpr double kHeadRadius = 22.0;                           // mm
-constexpr double kShift = 0.3 * kHeadRadius;                   // mm, of the sphere that is off the centre
+constexpr double kShift = 0.3 * kHeadRadius;                   // mm, of the eccentric sphere
 constexpr std::array<std::size_t, 2> kHalvings{2, 3};          // icospheres of 320 and 1,280 faces
 constexpr std::array<std::size_t, 2> kHeadFaces{3000, 12000};  // of the generated head, without its bump
-constexpr double kTable = 1.0;                                 // degrees, of the table that is looked up
-constexpr double kProbes = 0.25;                               // degrees, of the directions in which it is
+constexpr double kTable = 1.0;                                 // degrees, precision of the table
+constexpr double kProbes = 0.25;                               // degrees, spacing of these directions
 constexpr std::array<std::size_t, 2> kGridSides{10, 400};
 
 Result comparison() {
@@ -58,8 +58,8 @@ Result comparison() {
   return result;
 }
 
-// Largest and root mean square difference of two radii over the directions, mm. The grid crowds at its poles,
-// so each direction counts by the sine of its polar angle.
+// Largest and root mean square difference of two radii over the directions, mm. Directions crowd at the poles
+// of the grid, so each counts by the sine of its polar angle.
 template <class First, class Second>
 std::pair<double, double> difference(const Rsid& directions, const First& first, const Second& second) {
   double largest = 0.0;
@@ -99,7 +99,7 @@ void add_sphere(Table& table, std::size_t halvings, const char* shifted, const V
   add("mesh", "sphere", difference(probes, of_mesh, of_sphere));
 }
 
-// What no table of the faces can undo: they lie inside the sphere that their corners are on.
+// The error that no table of the faces can undo: faces lie inside the sphere that holds their corners.
 void add_head(Table& table, std::size_t faces) {
   const TriangleMesh ball =
       make_ball_socket_pair(faces, {.head_radius = kHeadRadius, .cam_height = 0.0}).ball;

@@ -6,7 +6,7 @@
 // @seconds   1 3
 // @links     harness gap_simd hip ply_series
 //
-// On stand-ins: the patients' scans are not public (hip/hip_presets.hpp).
+// The hips are stand-ins, since the patients' scans are not public (hip/hip_presets.hpp).
 
 #include <cmath>
 #include <stdexcept>
@@ -35,15 +35,15 @@ namespace {
 using namespace impinge;
 using namespace impinge::lab;
 
-// A hip in the joint frame, mm, the centre of rotation as origin.
+// A hip in the joint frame, mm, with the centre of rotation as origin.
 struct ReplayedHip {
   std::string name;         // in the results and of the files
   Side side = Side::right;  // of the body
   TriangleMesh ball;        // mm
-  TriangleMesh socket;      // that has a dial: std::invalid_argument otherwise (hip/clock.hpp)
+  TriangleMesh socket;      // must have a dial, else std::invalid_argument (hip/clock.hpp)
 };
 
-// All that the poses of one hip share; the hip must outlive it.
+// Everything that the poses of one hip share; the hip must outlive it.
 struct HipScanner {
   const ReplayedHip& hip;                        // borrowed
   ClockFace dial;                                // of the socket
@@ -58,8 +58,8 @@ struct PosedSurface {
   std::vector<double> gap;          // mm, NaN where the other surface is not met
   const std::vector<double>& area;  // of each vertex, mm^2
 
-  PosedGaps gaps() const { return {vertices, gap, area}; }  // as close_zones() takes them
-  // What gaps of at most so many mm come to.
+  PosedGaps gaps() const { return {vertices, gap, area}; }  // for close_zones()
+  // Summary of the gaps of at most `threshold` mm.
   GapSummary within(double threshold) const { return impinge::summarise(gap, area, threshold); }
 };
 
@@ -69,7 +69,7 @@ struct PosedHip {
   PosedSurface socket;  // at rest
 };
 
-// Fills the tables, exactly.
+// Fills the tables exactly.
 HipScanner hip_scanner(const ReplayedHip& hip, double precision_deg) {
   const auto dial = clock_face(hip.socket);
   if (!dial) throw std::invalid_argument(hip.name + ": the socket has no dial: see hip/clock.hpp");
@@ -91,26 +91,26 @@ PosedHip scan(const HipScanner& scanner, const Pose& pose) {
   return posed;
 }
 
-// Recorded motions of a hip, replayed: each turns the ball about one axis of the joint, from the pose as
-// modelled to the angle recorded. In every pose the gaps of both surfaces, and where on the dial of the
-// socket they are small (thesis, Section 5.2, Tables 11 to 13).
+// Replays recorded motions of a hip. Each motion turns the ball about one axis of the joint, from the
+// modelled pose to the recorded angle. Every pose gives the gaps of both surfaces, and where they are small
+// on the dial of the socket (thesis, Section 5.2, Tables 11 to 13).
 
-// One motion to its end; names as in hip/motion.hpp, degrees.
+// One motion and its end; names as in hip/motion.hpp, degrees.
 struct RecordedMotion {
   std::string motion;      // one of motion_names()
   double angle_deg = 0.0;  // at its end
 };
 
-// How finely a motion is followed, and what is told of it.
+// How finely a motion is followed, and what is reported.
 struct ReplayOptions {
   double precision_deg = 0.5;  // of the tables, RSID
-  double step_deg = 1.0;       // at most, between the poses of a motion: they are evenly spread
-  // Gaps up to which a zone is told, mm: contact; the colours of Tables 12 and 13, red, orange and yellow;
-  // and the cartilage of Section 3.4.
+  double step_deg = 1.0;       // largest step between the evenly spread poses of a motion
+  // Gaps up to which a zone is reported, mm: contact; the colours of Tables 12 and 13, red, orange and
+  // yellow; and the cartilage of Section 3.4.
   std::vector<double> thresholds{0.0, 2.0, 4.0, 6.0};
 };
 
-// Rows joint,motion,angle_deg,... of every pose, and of every zone of every pose.
+// Rows of every pose, and of every zone of every pose.
 struct ReplayTables {
   Table frames;  // a row a pose
   Table zones;   // a row a zone of a pose
@@ -118,14 +118,14 @@ struct ReplayTables {
 
 constexpr const char* kNeutral = "neutral";
 
-// A pose on the way of a motion.
+// A pose during a motion.
 struct Step {
   std::string motion;
   double angle_deg = 0.0;
   bool at_end = false;
 };
 
-// The pose as modelled, each motion from its first step.
+// The modelled pose, then each motion from its first step.
 std::vector<Step> steps_of(const std::vector<RecordedMotion>& motions, double step_deg) {
   std::vector<Step> steps{{kNeutral, 0.0, false}};
   for (const RecordedMotion& recorded : motions) {
@@ -146,7 +146,7 @@ Motion motion_of(const Step& step) {
   return motion;
 }
 
-// The smallest gap of both surfaces and its place: gap_mm, surface, hours; empty cells where they never meet.
+// The smallest gap of both surfaces and its place: gap_mm, surface, hours; empty if the surfaces never meet.
 std::vector<Cell> smallest_cells(const ClockFace& dial, const PosedHip& state) {
   const GapSummary ball = state.ball.within(0.0);
   const GapSummary socket = state.socket.within(0.0);
@@ -175,7 +175,7 @@ void add_zones(const HipScanner& scanner, const Step& step, const PosedHip& stat
   }
 }
 
-// With their columns, and no row.
+// The tables with columns and no rows.
 ReplayTables replay_tables() {
   ReplayTables tables;
   tables.frames.columns = {{"joint", "", "name of the hip"},
@@ -209,7 +209,7 @@ void replay(const ReplayedHip& hip, const std::vector<RecordedMotion>& motions, 
 }
 
 const ReplayOptions kOptions;
-constexpr double kForward = 4.0;  // mm by which Figure 41 has the ball moved to anterior
+constexpr double kForward = 4.0;  // mm by which Figure 41 moves the ball forward
 
 std::vector<RecordedMotion> motions_of(double RecordedRange::*patient) {
   std::vector<RecordedMotion> motions;
@@ -230,7 +230,7 @@ void write(DriverRun& run, const char* name, const char* question, Table table) 
               {"joints", "stand-ins for the patients of the thesis, whose scans are not public"}}});
 }
 
-// Both meshes as posed, with the gap of each vertex.
+// Writes both posed meshes with the gap of each vertex.
 void write_moved_forward(const ReplayedHip& hip, const std::filesystem::path& folder) {
   const PosedHip posed =
       scan(hip_scanner(hip, kOptions.precision_deg), {Eigen::Matrix3d::Identity(), kForward * Vec3::UnitY()});
@@ -250,7 +250,7 @@ void body(DriverRun& run) {
                                      std::pair("patient_b", &RecordedRange::patient_b)}) {
     const HipParameters parameters = hip_preset(name);
     const Hip hip = make_hip(parameters);
-    const Vec3 centre = fit_ball(hip.ball).centre;  // as the thesis has it
+    const Vec3 centre = fit_ball(hip.ball).centre;  // as in the thesis
     const ReplayedHip replayed{name, parameters.side, relative_to(hip.ball, centre),
                                relative_to(hip.socket, centre)};
     replay(replayed, motions_of(angles), kOptions, tables);

@@ -8,8 +8,8 @@
 // @seconds   1 3
 // @links     harness real_joints mesh hip ply_series
 //
-// Each mesh stands about the centre of its sphere, with the distance of every vertex from the sphere and
-// whether it was fitted. The patients are stand-ins (hip/hip_presets.hpp).
+// Each mesh is placed about the centre of its sphere. Each vertex has its distance from the sphere and
+// whether it was used in the fit. The patients are stand-ins (hip/hip_presets.hpp).
 
 #include <algorithm>
 

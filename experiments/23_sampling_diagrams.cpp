@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  How does the thesis fill a table, on real triangles? (Figures 25 and 28 to 34)
+// @question  How does the thesis fill a table, shown on the triangles of a hip? (Figures 25 and 28 to 34)
 // @writes    diagram_corners diagram_chart diagram_coverage
 // @files     diagrams/socket_table.pgm
 // @timing    no
 // @seconds   1 1
 // @links     harness 23_detection_diagrams table hip thesis_forms
 //
-// The hip is the stand-in for the thesis' patient A (hip/hip_presets.hpp), of about 500 faces where single
-// faces are looked at, so that each fills many entries. All of the socket is drawn from its usual mesh.
+// The hip is the stand-in for the thesis' patient A (hip/hip_presets.hpp). Where single faces are shown it
+// has about 500 faces, so that each fills many entries. The whole socket is drawn from its usual mesh.
 
 #include <algorithm>
 #include <cmath>
@@ -30,13 +30,13 @@ namespace {
 using namespace impinge;
 using namespace impinge::lab;
 
-// Radii that an image holds.
+// The radii that the greys of an image stand for.
 struct GreyRange {
   double smallest = 0.0;  // mm, grey 1
   double largest = 0.0;   // mm, grey 255
 };
 
-// Of all radii of the table.
+// The range over all radii of the table.
 GreyRange grey_range(const RadialTable<Rsid>& table) {
   GreyRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const double r : table.radii()) {
@@ -47,8 +47,8 @@ GreyRange grey_range(const RadialTable<Rsid>& table) {
   return range;
 }
 
-// The table as a binary PGM file of 8 bits: a pixel an entry, rows and columns those of the table; 0 where
-// there is no surface, else 1 to 255 for the range.
+// The table as a binary PGM file of 8 bits with a pixel for each entry, in rows and columns of the table. 0
+// means no surface, 1 to 255 the range of radii.
 std::string table_image(const RadialTable<Rsid>& table, GreyRange range) {
   const Rsid& scheme = table.scheme();
   std::string image =
@@ -68,11 +68,11 @@ constexpr std::size_t kFewFaces = 500;
 constexpr std::size_t kPairFaces = 400;                // of Figure 30
 constexpr double kImagePrecision = 0.1;                // degrees, as in Figure 31
 constexpr double kPrecision = 1.0;                     // degrees, of the entries of a face
-constexpr std::array kOtherPrecisions{0.5, 2.0};       // degrees, Figure 32: of the plain face too
+constexpr std::array kOtherPrecisions{0.5, 2.0};       // degrees, Figure 32, for the plain face too
 const Angles kPlain{60.0 * kDegree, 120.5 * kDegree};  // a face of the socket far from pole and seam
 const Angles kSeam{50.5 * kDegree, 0.0};               // a face of the ball across the seam
 
-// A few faces under a name.
+// A few faces with a name.
 struct NamedFaces {
   const char* name;
   TriangleMesh mesh;
@@ -88,7 +88,7 @@ std::vector<NamedFaces> faces_of_the_figures(const TriangleMesh& pair_ball) {
           {"seam", faces_along(coarse.ball, to_direction(kSeam))}};
 }
 
-// The socket as drawn, and its table as an image, whose range of radii is in the parameters.
+// Writes the socket and an image of its table; returns the image's range of radii for the parameters.
 nlohmann::json write_image(const DriverRun& run, const TriangleMesh& socket) {
   const std::filesystem::path folder = run.record.folder / "diagrams";
   require_writable_folder(folder);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  How long does it take to know all rotations of a joint at once, beside asking pose after pose?
+// @question  How long does it take to know all free rotations, compared with asking pose after pose?
 // @writes    motion_volume motion_volume_methods motion_volume_rotations
 // @bones     yes
 // @timing    yes
 // @seconds   7 800
 // @links     harness real_joints contact_methods 17_motion 17_limit_time
 //
-// Every generated hip and real joint, cropped and as whole bones: the share of all rotations that is free of
-// contact, between proven ends, and how soon these are how near to each other, making the joint ready
-// included. Beside it a grid of poses with the reach of the finest cells, by FCL, ODE and Bullet,
-// extrapolated from random rotations; and random rotations asked of our own test of a pose, which find the
-// share soon and prove nothing. Internal rotation by flexion, read off the cells.
+// For every generated hip and real joint, cropped and as whole bones: the share of all rotations that is free
+// of contact, between proven ends, and the time until the ends are so close, with the time to prepare the
+// joint. It is compared with a grid of poses as fine as the finest cells, by FCL, ODE and Bullet,
+// extrapolated from random rotations; and with random rotations by our own test of a pose, which find the
+// share soon but prove nothing. The cells also give internal rotation by flexion.
 
 #include <algorithm>
 #include <array>
@@ -38,32 +38,31 @@ namespace {
 using namespace impinge;
 using namespace impinge::lab;
 
-// A grid of poses that leaves nothing farther from a pose than a cell of the volume reaches has as many as
-// there are cells of its finest level: 4 * 8^level. No peer is given them all; it is timed on random
-// rotations and its time for the grid is extrapolated. Even then it has looked at points, and proves nothing
-// between them.
+// A grid of poses that comes as near to every pose as the finest cells has as many poses as there are such
+// cells, 4 * 8^level. No peer tests them all: it is timed on random rotations, and its time for the grid is
+// extrapolated. Even then it would have tested points, and prove nothing between them.
 
-// What is asked.
+// Sizes of the study.
 struct VolumeStudyOptions {
-  std::vector<double> widths;  // of the bracket, shares of all rotations, the finest last
-  std::size_t poses = 0;       // random rotations that a peer is asked in
-  std::size_t few_poses = 0;   // those that a slow one is
-  std::size_t threads = 2;     // of the volume; peers have one
+  std::vector<double> widths;  // widths of the bracket, as shares of all rotations, the finest last
+  std::size_t poses = 0;       // random rotations for a peer
+  std::size_t few_poses = 0;   // random rotations for a slow peer
+  std::size_t threads = 2;     // for the volume; peers have one
   std::uint64_t seed = 0;      // of the rotations
 };
 
 // The results of all joints.
 struct VolumeTables {
-  Table volumes;    // a row a joint and width
-  Table methods;    // a row a joint and way to ask one pose after the other
-  Table rotations;  // internal rotation by flexion, a row a joint and flexion
+  Table volumes;    // a row per joint and width
+  Table methods;    // a row per joint and way to ask one pose after another
+  Table rotations;  // internal rotation by flexion, a row per joint and flexion
 };
 
-// Of all ways to tell whether a pose touches those that tell nothing else: the others take longer.
+// Of all ways to test a pose, those that only say whether it touches; others take longer.
 constexpr std::array<std::string_view, 4> kAsked{"fcl_collide", "ode_collide", "bullet_collide", "culled"};
 constexpr std::array kFlexions{70.0, 80.0, 90.0};  // degrees
-constexpr double kSlack = 1e-6;                    // degrees, of angles read off cells
-constexpr double kFinestWhole = 0.02;              // width of whole bones
+constexpr double kSlack = 1e-6;                    // degrees, slack of angles read off cells
+constexpr double kFinestWhole = 0.02;              // finest width for whole bones
 constexpr double kMostRotation = 90.0;             // degrees of internal rotation that are looked at
 
 std::uint32_t finest_level(const MotionVolume& volume) {
@@ -72,12 +71,12 @@ std::uint32_t finest_level(const MotionVolume& volume) {
   return finest;
 }
 
-// Cells are the larger the nearer they are to the middle of a cube.
+// Angular radius of the largest cells, which are at the middle of a cube.
 double covering_deg(std::uint32_t level) {
   return angular_radius(cell_of({1.0, 0.0, 0.0, 0.0}, level)) / kDegree;
 }
 
-// The volume of a width, the test made anew for it; adds its row. Of whole bones main surfaces and the rest.
+// Times the volume to one width with a new test, and adds its row. Whole bones have main surfaces and a rest.
 MotionVolume timed_volume(const StudiedJoint& joint, const BoneParts& beside,
                           const VolumeStudyOptions& options, double width, Table& table) {
   VolumeSettings settings;
@@ -106,7 +105,7 @@ std::vector<Quaternion4> random_rotations(std::size_t count, std::uint64_t seed)
   return all;
 }
 
-// A way to ask one pose after the other, beside what the cells say of each.
+// Times a way to ask one pose after another, and compares its answers with the cells.
 void add_method(const StudiedJoint& joint, const MotionVolume& volume, const ContactCase& method,
                 const std::vector<Quaternion4>& rotations, Table& table) {
   const ContactQuery query = method.make();
@@ -143,7 +142,8 @@ void add_methods(const StudiedJoint& joint, const MotionVolume& volume, const Vo
 
 void add_rotations(const StudiedJoint& joint, const MotionVolume& volume, Table& table) {
   const TurnLimits limits(joint.meshes);
-  // Of a sheet cells count radii, which may overlap before surfaces meet (limits/body_pairs.hpp).
+  // On an open sheet, cells count radii that overlap, which may be before surfaces meet
+  // (limits/body_pairs.hpp).
   const bool both = BodyPairs(joint.meshes, {}).has_inside();
   for (const double flexion : kFlexions) {
     const JointTurn turn = joint_turn({flexion, 0.0, 0.0}, motion_name("internal_rotation"), joint.side);
@@ -158,7 +158,7 @@ void add_rotations(const StudiedJoint& joint, const MotionVolume& volume, Table&
   }
 }
 
-// With their columns, and no row.
+// The tables with columns and no rows.
 VolumeTables make_volume_tables() {
   const Column joint{"joint", "", "name of a hip, or folder of a real joint"};
   return {
@@ -196,8 +196,8 @@ VolumeTables make_volume_tables() {
        {}}};
 }
 
-// Adds the rows of a joint. With peers, pose after pose is asked too. std::runtime_error where the library's
-// own test of a pose contradicts a cell: a time means nothing until that is resolved.
+// Adds the rows of a joint; with `peers` also those of asking pose after pose. Throws std::runtime_error if
+// the library's own test of a pose contradicts a cell, since a time would then mean nothing.
 void add_volume(const StudiedJoint& joint, const VolumeStudyOptions& options, bool peers,
                 VolumeTables& tables) {
   std::unique_ptr<const MotionVolume> finest;
@@ -207,7 +207,7 @@ void add_volume(const StudiedJoint& joint, const VolumeStudyOptions& options, bo
   if (joint.side) add_rotations(joint, *finest, tables.rotations);
 }
 
-// Of whole bones. A peer has to agree with every cell in random rotations: a time means nothing else.
+// Adds the rows of whole bones. A peer must agree with every cell in random rotations.
 void add_whole_bones(const TurnedJoint& bones, const VolumeStudyOptions& options, Table& table) {
   const StudiedJoint joint{bones.name + " whole", bones.main, bones.side};
   std::unique_ptr<const MotionVolume> finest;

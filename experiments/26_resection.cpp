@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  How much of a cam would have to go so that a hip reaches a motion?
+// @question  How much of a cam must be cut so that a hip reaches a required motion?
 // @writes    resection_by_cam
 // @timing    no
 // @seconds   3 40
 // @links     harness joint
 //
-// Hips with cams of several heights are to reach 30 degrees of internal rotation at 90 of flexion. Each cam
-// is cut, between proven ends (change/resection.hpp), and the hip asked again how far it turns.
+// Hips with cams of several heights must reach 30 degrees of internal rotation at 90 of flexion. Each cam is
+// cut, between proven ends (change/resection.hpp); then it is found how far the cut hip turns.
 
 #include <array>
 #include <stdexcept>

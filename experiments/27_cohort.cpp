@@ -6,9 +6,9 @@
 // @reads     27_cohort/study.json
 // @links     cohort
 //
-// 200 hips of 27_cohort/study.json, as the program cohort works them out: the limit of every motion, the
-// shape as measured from the meshes, and where on the dial they are close at their limits. A cohort of 10,000
-// is a run of that program (experiments/README.md), and results/reference/cohort/ keeps one.
+// Works out 200 hips of 27_cohort/study.json as the program `impinge cohort` does: the limit of every motion,
+// the shape as measured from the meshes, and the zones of small gaps at the limits. A cohort of 10,000 is a
+// run of that program (experiments/README.md); results/reference/cohort/ keeps one.
 
 #include "cohort/answers.hpp"
 #include "cohort/shard.hpp"
@@ -20,8 +20,8 @@ namespace {
 using namespace impinge::lab;
 
 constexpr std::size_t kBetweenLines = 20;        // hips
-constexpr std::size_t kFacesInQuick = 1000;      // of a surface
-constexpr std::size_t kFineFacesInQuick = 3000;  // where a second look is due
+constexpr std::size_t kFacesInQuick = 1000;      // faces of a surface
+constexpr std::size_t kFineFacesInQuick = 3000;  // faces where a hip is looked at twice
 
 void body(DriverRun& run) {
   const std::filesystem::path source = build_info().source_folder;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// check_certificate FILE... BALL SOCKET [--ball-part FILE...] [--socket-part FILE...]: whether certificates
-// of `impinge certify` hold for these meshes (PLY or OBJ). A second checker, written from
-// certificate_format.md alone, without anything of libcore. One line a certificate; exit code 0 if all hold,
-// 1 if one does not, 2 for bad usage. All is decided in integers, without rounding: corners are relative to
-// the centre, times what makes all of them whole.
+// check_certificate FILE... BALL SOCKET [--ball-part FILE...] [--socket-part FILE...]: do certificates of
+// `impinge certify` hold for these meshes (PLY or OBJ)? This is a second checker, written only from
+// certificate_format.md, without any code of libcore. It prints one line per certificate; the exit code is 0
+// if all hold, 1 if one does not, 2 for bad usage. Everything is decided in integers, without rounding:
+// corners are relative to the centre, times a number that makes all of them whole.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -46,8 +46,7 @@ Vec cross(const Vec& a, const Vec& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 int side(const Vec& a, const Vec& b, const Vec& c) { return sgn(dot(a, cross(b, c))); }
-/// Least and most of the sides on which a line from 0 leaves the edges of a face; of one sign where it meets
-/// the face.
+/// Lowest and highest side on which a line from 0 passes a face's edges; it meets the face if signs agree.
 std::pair<int, int> sides(const Vec& line, const Vec& a, const Vec& b, const Vec& c) {
   return std::minmax({side(line, a, b), side(line, b, c), side(line, c, a)});
 }
@@ -244,7 +243,7 @@ Body read_body(const Words& names) {
   return body;
 }
 
-/// Whether a ray from p that meets no edge crosses an odd number of these faces.
+/// Does a ray from p that meets no edge cross an odd number of these faces?
 bool is_odd(const Body& body, const Faces& faces, const Vec& p) {
   std::mt19937 random(1);  // NOLINT(*-msc51-cpp): the same each time
   Vec along{0, 0, 1};
@@ -269,7 +268,7 @@ bool is_odd(const Body& body, const Faces& faces, const Vec& p) {
   throw std::runtime_error("a point is on a surface, or each ray from it meets an edge");
 }
 
-/// Whether a piece of one body is inside a closed file of the other.
+/// Is a piece of one body inside a closed file of the other?
 bool one_inside(const Body& ball, const Body& socket) {
   const Faces& first = socket.closed[0];
   const bool bone_outside = is_odd(socket, first, {0, 0, 0});
@@ -280,7 +279,7 @@ bool one_inside(const Body& ball, const Body& socket) {
   return false;
 }
 
-/// Whether an edge of a face meets another face, and is not in its plane.
+/// Does an edge of a face meet another face, without lying in its plane?
 bool edge_meets(const Body& edges, const Face& of, const Body& faces, const Face& f) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec &p = edges.moved[of[k]], along = edges.moved[of[(k + 1) % 3]] - p;
@@ -309,7 +308,7 @@ Vec turned(const Quaternion& q, const Vec& x) { return (q * Quaternion{0, x} * i
 struct HalfAngle {
   Integer c, s;
 };
-/// Of half the turn from a to b, times a positive number.
+/// Sine of half the turn from a to b, times a positive number.
 Integer sine(const HalfAngle& a, const HalfAngle& b) { return a.c * b.s - a.s * b.c; }
 
 struct Plane {
@@ -318,7 +317,7 @@ struct Plane {
 };
 
 int far_side(const Plane& plane, const Vec& x) {
-  static Integer sum;  // where it is, memory is not asked for anew
+  static Integer sum;  // static, so that its memory is used again
   sum = -plane.d;
   for (std::size_t k = 0; k < 3; ++k) mpz_addmul(sum.get_mpz_t(), plane.n[k].get_mpz_t(), x[k].get_mpz_t());
   return sgn(sum);
@@ -329,7 +328,7 @@ struct Node {
   Faces ball, socket;
 };
 
-/// Whether a face belongs to the first and to the second part of a cut.
+/// Does a face belong to the first and to the second part of a cut?
 using Cut = std::pair<bool, bool>;
 
 template <class Sort>
@@ -343,7 +342,7 @@ void cut(const Faces& faces, Sort sort, Faces& first, Faces& second) {
   first.swap(one), second.swap(two);
 }
 
-/// By the corners' sides of planes.
+/// Cuts faces by the sides of planes on which their corners lie.
 auto by_planes(const Body& body, const std::vector<Plane>& planes) {
   return [&body, planes, known = std::vector<unsigned char>(body.corners.size())](const Face& f) mutable {
     unsigned both = 0;  // 1 first, 2 second
@@ -358,7 +357,7 @@ auto by_planes(const Body& body, const std::vector<Plane>& planes) {
   };
 }
 
-/// By a sphere of x.x = r2.
+/// Cuts faces by the sphere x.x = r2.
 auto by_sphere(const Body& body, const Fraction& r2) {
   const Integer low = r2.get_num() / r2.get_den(), high = low + (r2.get_den() == 1 ? 0 : 1);
   const Integer three = Integer(3 * r2.get_num()) / r2.get_den();  // rounded as whole numbers need it
@@ -377,7 +376,7 @@ class Certificate {
  public:
   Certificate(std::istream& in, Body& ball, Body& socket) : in_(in), ball_(ball), socket_(socket) {}
 
-  /// What it proves.
+  /// What the certificate proves.
   std::string check() try {
     const Words kind = next("impinge", 3), files = next("files", 2), centre = next("centre", 3),
                 shift = next("shift", 3);
@@ -444,7 +443,7 @@ class Certificate {
     return outer_ * Quaternion{h.c, h.s * axis_} * inner_;
   }
 
-  /// Both bodies at rest, and where the motion starts.
+  /// Places both bodies at rest, relative to where the motion starts.
   void place(const Place& centre, const Place& shift) {
     scale_ = lcm(ball_.scale, socket_.scale);
     for (const Place* x : {&centre, &shift})
@@ -467,7 +466,7 @@ class Certificate {
     }
   }
 
-  /// The plane n.x = d as the nine points of a face of the ball see it, said of its corners at rest.
+  /// The plane n.x = d as seen by the nine points of a face of the ball, expressed for its corners at rest.
   [[nodiscard]] std::vector<Plane> seen_at_rest(const Plane& plane, const Node& node) const {
     const Integer s = sine(node.from, node.to), c = node.from.c * node.to.c + node.from.s * node.to.s;
     require(c > 0, "a plane where the arc is not below 180 degrees");

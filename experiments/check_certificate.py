@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""check_certificate.py CERTIFICATE BALL SOCKET [--ball-part FILE...] [--socket-part FILE...]: is it true of these meshes (PLY or OBJ)?
+"""check_certificate.py CERTIFICATE BALL SOCKET [--ball-part FILE...] [--socket-part FILE...]: does the certificate hold for these meshes (PLY or OBJ)?
 
-Exact, and written from certificate_format.md alone. Exit code 0 where it is proven, and then it says what; 1 where not, with one line."""
+Exact, and written only from certificate_format.md. Exit code 0 if it is proven, with a text of what; 1 if not, with one line."""
 import hashlib
 import math
 import pathlib
@@ -58,7 +58,7 @@ def read_ply(data):
 
 
 class Body:
-    """All surfaces of a side: points about the centre, in whole numbers of 1 / unit mm, none twice; and faces, each by three of them."""
+    """All surfaces of a side: points from the centre, in whole numbers of 1 / unit mm, each once; and faces, each by three of them."""
 
     def __init__(self, paths, centre):
         rows, triangles, self.files = [], [], []  # triangles: of each file
@@ -97,7 +97,7 @@ class Body:
             self.pieces.setdefault(top(f[0]), []).append(f)
 
     def cut_by_planes(self, faces, planes):
-        """Faces with a corner on the near side of one of the planes n x <= d, and those with one on the far side."""
+        """Faces with a corner on the near side of one of the planes n x <= d, and faces with a corner on the far side."""
         near, far, corners = set(), set(), {i for f in faces for i in f}
         for n, d in planes:
             scale = math.lcm(*(Fraction(x).denominator for x in n))
@@ -108,7 +108,7 @@ class Body:
         return [[f for f in faces if f[0] in side or f[1] in side or f[2] in side] for side in (near, far)]
 
     def cut_by_sphere(self, faces, radius):
-        """Those that may have a point within, and those that have one without."""
+        """Faces that may have a point inside the sphere, and faces that may have one outside."""
         square, sides = (radius * self.unit) ** 2, []
         low, high = math.floor(3 * square), math.ceil(square)
         for a, b, c in ([self.points[i] for i in f] for f in faces):
@@ -139,7 +139,7 @@ def turned(head, half):
     return product(product(head["outer"], [half[0], *(half[1] * x for x in head["axis"])]), head["inner"])
 
 def images(head, first, last):
-    """Matrices that take a point to both ends of its arc and to where the tangents there meet."""
+    """Matrices that take a point to both ends of its arc, and to the point where the tangents at the ends meet."""
     cosine, sine = first[0] * last[0] + first[1] * last[1], first[0] * last[1] - first[1] * last[0]
     need(cosine > 0, "a plane cuts an arc of half a turn or more")
     a, b = (rotation(turned(head, half)) for half in (first, last))
@@ -149,7 +149,7 @@ def images(head, first, last):
 
 
 def check_cuts(head, ball, socket, lines):
-    """The tree: a node has no faces of one body, or is cut in two."""
+    """Checks the tree of cuts: a node has no faces of one body, or is cut in two."""
     unit, shift, stack = head["unit"][0], head["shift"], [((1, 0), head["last"], ball.faces, socket.faces)]
     for kind, *words in lines:
         need(stack, "there are more cuts than nodes")
@@ -174,7 +174,7 @@ def check_cuts(head, ball, socket, lines):
 
 
 def is_inside(x, points, files, hollow):
-    """Is it inside one of them, with an odd number of its faces above it? The first may be hollow. None where an edge is above it."""
+    """Is x in one of the files, with an odd number of its faces above? The first may be hollow. None if an edge is above x."""
     low, high, odd = list(map(math.floor, x)), list(map(math.ceil, x)), [hollow] + [False] * (len(files) - 1)
     for k, f in ((k, f) for k, faces in enumerate(files) for f in faces):
         a, b, c = (points[i] for i in f)
@@ -187,7 +187,7 @@ def is_inside(x, points, files, hollow):
     return any(odd)
 
 def any_inside(of, body, place, is_socket):
-    """Is a piece of a body, its points moved by place(), inside a closed file of the other? What is above leans a little."""
+    """Is a piece of a body, moved by place(), inside a closed file of the other body? The direction "above" leans a little."""
     lean = lambda p: (1000 * p[0] + 209 * p[2], 1000 * p[1] + 96 * p[2], p[2])
     points = list(map(lean, body.points))
     body.hollow = is_socket and is_inside((0, 0, 0), points, body.closed[:1], False)
@@ -196,7 +196,7 @@ def any_inside(of, body, place, is_socket):
     return need(None not in (body.hollow, *known), "no line up tells what is inside") or any(known)
 
 def passes(p, q, a, b, c):
-    """Does an edge meet a triangle? Not one in its plane."""
+    """Does an edge meet a triangle without lying in its plane?"""
     ends, turns = (volume(p, a, b, c), volume(q, a, b, c)), [volume(p, q, *side) for side in ((a, b), (b, c), (c, a))]
     return any(ends) and ends[0] * ends[1] <= 0 and (min(turns) >= 0 or max(turns) <= 0)
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What changed between two runs, of another commit, compiler or machine: experiments/compare.py RUN RUN, two result folders.
+"""What changed between two runs, made by another commit, compiler or machine: experiments/compare.py RUN RUN, two result folders.
 
-Says on what each was made; the verdicts that are not the same; the errors that are above their proven bounds, in either; how
-many numbers of each CSV differ, times aside; and the ratios of the times, second over first, with their spread: the
-interquartile ranges of both medians, as shares, in quadrature. A ratio that is no farther from 1 than that says nothing.
-Rows are compared where both runs have as many and their words agree. Exit code 0 if nothing changed beyond the times, 1 if
-something did, 2 for a folder that is no run. Standard library only.
+Prints on what each was made; the verdicts that differ; the errors above their proven bounds, in either run; how many numbers
+of each CSV differ, apart from times; and the ratios of the times, second over first. The spread of a ratio is that of both
+medians: their interquartile ranges, as shares, in quadrature. A ratio that differs from 1 by less than its spread means nothing.
+Rows are compared if both runs have as many and their words agree. Exit code 0 if only times changed, 1 if anything else did, 2
+for a folder that is no run. Standard library only.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Run:
         self.records = {table.stem: sidecar(table) for table in tables}
 
     def rows(self, name: str) -> list[dict[str, str]]:
-        """With the columns of NAME_spread.csv, where some times have their spread."""
+        """The rows of a CSV, with the columns of NAME_spread.csv, which has the spread of some times."""
         rows = read(self.folder / "data" / f"{name}.csv")
         if f"{name}_spread" in self.records:
             spread = read(self.folder / "data" / f"{name}_spread.csv")
@@ -59,7 +59,7 @@ class Run:
         return rows
 
     def made_on(self) -> dict[str, str]:
-        """What all of its CSVs say; several answers one behind the other."""
+        """What all CSVs say about where the run was made; different answers are joined by "and"."""
         records = list(self.records.values())
         if not records and (self.folder / "run.json").is_file():  # of results/reference
             records = [json.loads((self.folder / "run.json").read_text())]
@@ -72,7 +72,7 @@ def read(table: Path) -> list[dict[str, str]]:
 
 
 def number(text: str | None) -> float:
-    """NaN for an empty cell and for a word."""
+    """The number in a cell; NaN for an empty cell and for a word."""
     try:
         return float(text or "nan")
     except ValueError:
@@ -80,7 +80,7 @@ def number(text: str | None) -> float:
 
 
 class Report:
-    """Lines, a heading above each kind."""
+    """The lines of the report, with a heading above each kind."""
 
     def __init__(self, everything: bool):
         self.everything = everything
@@ -124,7 +124,7 @@ def is_time(unit: str) -> bool:
 
 
 def paired(one: Run, two: Run, name: str) -> list[tuple[dict, dict]] | None:
-    """The rows of both; none where they are not of the same."""
+    """Pairs of rows of both runs; None if the rows do not correspond."""
     first, second = one.rows(name), two.rows(name)
     if len(first) != len(second):
         return None
@@ -144,7 +144,7 @@ def spread_name(column: str) -> str:
 
 
 def ratios(pairs: list[tuple[dict, dict]], column: str) -> list[tuple[float, float]]:
-    """Second over first, and the spread of that."""
+    """Each time's ratio, second over first, and the ratio's spread."""
     spread = spread_name(column)
     found = []
     for first, second in pairs:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The graph of results: programs -> data -> tables, figures -> verdicts -> report and paper.
+"""The graph of results: programs -> data -> tables, figures -> verdicts -> report and papers.
 
 Which jobs there are follows from the heads of experiments (CMakeLists.txt) and of scripts (../analysis/README.md), and from
 the folders of real joints. CMake builds the programs, Ninja decides by the file written here which jobs run, job.py runs
@@ -54,11 +54,11 @@ class Setup:
         return self.build / "graph"
 
     def program(self, name: str) -> str:
-        """A copy that changes only when its bytes do: a comment edited in the library builds again and measures nothing again."""
+        """A copy of a program that changes only with its bytes: an edited comment rebuilds but measures nothing again."""
         return str(self.graph / "programs" / name)
 
     def shorten(self, text: str) -> str:
-        """Paths as a reader knows them."""
+        """Replaces paths by the names that a reader knows."""
         places = {self.results: "results/", self.build: "build/", SOURCE: "", os.path.relpath(SOURCE, self.build): ""}
         for folder, short in places.items():
             text = text.replace(f"{folder}/", short)
@@ -77,8 +77,8 @@ class Joint:
 
 
 def find_joint(folder: Path) -> Joint | None:
-    """The joint in a folder, unless a mesh is missing or its description has no centre, another side, or no axes of a right-handed frame:
-    programs leave it out, too.
+    """The joint in a folder. None if a mesh is missing, or if its description has no centre, an unknown side, or axes that are
+    not right-handed; programs leave such a folder out, too.
     """
 
     def first(names: tuple[str, ...]) -> Path | None:
@@ -110,7 +110,7 @@ def find_joint(folder: Path) -> Joint | None:
 
 
 def right_handed(ways: list[int]) -> bool:
-    """Whether three of WAYS, by their places there, are the axes of a frame that mirrors nobody."""
+    """Are these three directions, given as indices of WAYS, the axes of a right-handed frame?"""
     axes = [way % 3 for way in ways]
     if sorted(axes) != [0, 1, 2]:
         return False
@@ -119,7 +119,7 @@ def right_handed(ways: list[int]) -> bool:
 
 
 def find_joints(bones: Path | None) -> list[Joint]:
-    """All joints in the folder, by name; a folder without any, or a name that no file of ours can have, is refused."""
+    """All joints in the folder, by name. Refuses a folder without joints, and a name that our files cannot have."""
     folders = sorted(path for path in bones.iterdir() if path.is_dir()) if bones else []
     joints = [joint for folder in folders if (joint := find_joint(folder))]
     if bones and not joints:
@@ -131,19 +131,19 @@ def find_joints(bones: Path | None) -> list[Joint]:
 
 
 def refuse(message: str) -> None:
-    """A user's mistake: one line, exit code 2."""
+    """Ends with exit code 2 and one line about the user's mistake."""
     print(f"reproduce: {message}", file=sys.stderr)
     sys.exit(2)
 
 
 def experiment_jobs(setup: Setup, joints: list[Joint]) -> list[Job]:
-    """One for each experiment, from the head of its source."""
+    """A job for each experiment, from the head of its source."""
     sources = [*EXPERIMENTS.glob("[0-9][0-9]_*.cpp"), *EXPERIMENTS.glob("[0-9][0-9]_*/main.cpp")]
     return [experiment_job(setup, joints, source) for source in sorted(sources, key=str)]
 
 
 def experiment_job(setup: Setup, joints: list[Joint], source: Path) -> Job:
-    """What CMakeLists.txt says of the head is meant."""
+    """The job of an experiment; experiments/CMakeLists.txt explains the head."""
     said = heads.head(source)[0]
     name = source.parent.name if source.name == "main.cpp" else source.stem
     for key in ("question", "writes", "seconds"):
@@ -172,7 +172,7 @@ def pair_job(setup: Setup, name: str, scene: str, question: str, *options: str) 
 
 
 def scene_job(setup: Setup, name: str, meshes: tuple, *options: str) -> Job:
-    """`impinge gaps` of one joint, into scenes/NAME; meshes of a real joint, or in the results folder."""
+    """`impinge gaps` of one joint, into scenes/NAME; its meshes are a real joint's or in the results folder."""
     folder, gaps_alone = f"scenes/{name}", "--outputs" in options
     files = ["ball.ply", "socket.ply", "gaps.csv", *["distances.csv"] * (not gaps_alone), "summary.json"]
     outputs = [f"{folder}/{file}" for file in files]
@@ -184,8 +184,8 @@ def scene_job(setup: Setup, name: str, meshes: tuple, *options: str) -> Job:
 
 
 def scene_jobs(setup: Setup, joints: list[Joint], motions: dict[str, dict[str, str]]) -> list[Job]:
-    """Every joint in detail, for its picture, and as each of the thesis' systems has it at 1 degree (Figures 49 and 50); the
-    thesis' patients as modelled, and at the end of each motion of Table 11, in the colours of Tables 12 and 13.
+    """The scenes of every joint: for its picture, and by both systems of the thesis at 1 degree (Figures 49 and 50). Of the
+    thesis' patients also the modelled pose and the end of each motion of Table 11, in the colours of Tables 12 and 13.
     """
 
     def meshes(scene: str) -> tuple[str, str]:
@@ -213,7 +213,7 @@ def scene_jobs(setup: Setup, joints: list[Joint], motions: dict[str, dict[str, s
 
 
 def recorded_motions() -> dict[str, dict[str, str]]:
-    """Degrees at the end of each motion of Table 11, by patient."""
+    """The degrees at the end of each motion of Table 11, by patient."""
     found: dict[str, dict[str, str]] = {patient: {} for patient in PATIENTS}
     with (SOURCE / "analysis" / "common" / "thesis_values.csv").open(newline="") as file:
         for row in csv.DictReader(file):
@@ -223,7 +223,7 @@ def recorded_motions() -> dict[str, dict[str, str]]:
 
 
 def joint3d_jobs(setup: Setup) -> list[Job]:
-    """The page that moves a joint, and the speed of the library in it, where the tools for both are installed."""
+    """The page that moves a joint, and the speed of the library in it, if the tools for both are installed."""
     if not all(map(shutil.which, JOINT3D_TOOLS)):
         return []
     folder, engine, made = "analysis/joint3d", "programs/joint3d_engine", setup.program("joint3d_engine")
@@ -246,20 +246,27 @@ def joint3d_jobs(setup: Setup) -> list[Job]:
     ]
 
 
-def paper_job(setup: Setup, made: list[str]) -> Job:
-    """LaTeX around generated tables, figures and facts. No date and no path goes into the PDF."""
-    shown = re.compile(r"tables/.*tex|figures/.*pdf|figures/(joint-generated|figure-50)\.png|paper/.*tex")
+PAPERS = {
+    "paper-reproduction": "The paper on the thesis: what came out again, error against time, extreme cases, what is left out.",
+    "paper-motion": "The paper on motion: certified contact, limits, all rotations, cuts, with proofs.",
+}
+
+
+def paper_jobs(setup: Setup, made: list[str]) -> list[Job]:
+    """LaTeX around generated tables, figures and facts. No date and no path goes into a PDF."""
+    shown = re.compile(r"tables/.*tex|figures/.*pdf|paper/.*tex")
     depends = [file for file in made if shown.fullmatch(file)] + heads.expanded("paper/*.{tex,bib}")
     folders = f"{SOURCE}/paper:{setup.results}/figures:{setup.results}/tables:{setup.results}/paper:"
     reproducible = ["SOURCE_DATE_EPOCH=0", "FORCE_SOURCE_DATE=1", f"TEXINPUTS={folders}", f"BIBINPUTS={folders}"]
-    latex = ["latexmk", "-pdf", "-silent", "-halt-on-error", "-file-line-error", f"{SOURCE}/paper/paper.tex"]
-    question = "The paper: method, what is proven and how, what came out again, limits."
-    command = ["env", *reproducible, *latex]
-    return Job("paper", "paper", question, "paper/paper.tex", ["paper.pdf"], depends, command, [5, 5])
+    latex = ["env", *reproducible, "latexmk", "-pdf", "-silent", "-halt-on-error", "-file-line-error"]
+    return [
+        Job(name, "paper", question, f"paper/{name}.tex", [f"{name}.pdf"], depends, [*latex, f"{SOURCE}/paper/{name}.tex"], [2, 2])
+        for name, question in PAPERS.items()
+    ]
 
 
 def all_jobs(setup: Setup) -> dict[str, Job]:
-    """By name, in the order in which the report shows them; report and paper show whatever was declared before them."""
+    """All jobs by name, in the order in which the report shows them. Report and papers show what is declared before them."""
     joints, motions = find_joints(setup.bones), recorded_motions()
     names = [joint.name for joint in joints]
     words = {
@@ -277,7 +284,7 @@ def all_jobs(setup: Setup) -> dict[str, Job]:
     shown = re.compile(r"data/.*|tables/.*csv|figures/.*(svg|png)|verdicts\.csv|joint3d\.html")
     lists["SHOWN"] = " ".join(file for file in made if shown.fullmatch(file))
     jobs += [Job(**fields) for fields in heads.script_jobs("report", lists, setup.results)]
-    jobs.append(paper_job(setup, made))
+    jobs += paper_jobs(setup, made)
     if unused := heads.unused():
         sys.exit(f"{unused[0]} has no @name, and no script imports it: see analysis/README.md")
     counts = collections.Counter(artefact for job in jobs for artefact in job.artefacts)
@@ -287,7 +294,7 @@ def all_jobs(setup: Setup) -> dict[str, Job]:
 
 
 def ninja_file(setup: Setup, jobs: dict[str, Job]) -> str:
-    """The graph for Ninja. An output that did not change stops what would follow from it (restat)."""
+    """The graph for Ninja. If an output did not change, what depends on it is not made again (restat)."""
     made = {output for job in jobs.values() for output in job.outputs}
     lines = ["rule job", "  command = $words", "  description = job $name", "  restat = 1"]
 
@@ -304,18 +311,18 @@ def ninja_file(setup: Setup, jobs: dict[str, Job]) -> str:
 
 
 def record(setup: Setup, jobs: dict[str, Job]) -> str:
-    """The jobs for the report and keep_reference.py, and of which run they are (jobs.json)."""
+    """Writes the jobs and their run to jobs.json, for the report and keep_reference.py."""
     fields = [dataclasses.asdict(dataclasses.replace(job, seconds=0)) for job in jobs.values()]
     return json.dumps({"results": str(setup.results), "profile": setup.profile, "jobs": fields}, indent=1)
 
 
 def located(setup: Setup, made: set[str], file: str) -> Path:
-    """Where a file is that a job names."""
+    """The path of a file that a job names."""
     return (setup.results if file in made else setup.graph if file.startswith("programs/") else SOURCE) / file
 
 
 def behind(jobs: dict[str, Job], wanted: list[Job]) -> list[Job]:
-    """These jobs and all that they rest on."""
+    """These jobs and all jobs that they depend on."""
     makers = {output: job for job in jobs.values() for output in job.outputs}
     found = {job.name: job for job in wanted}
     left = [*wanted]
@@ -327,6 +334,6 @@ def behind(jobs: dict[str, Job], wanted: list[Job]) -> list[Job]:
 
 
 def programs_behind(jobs: dict[str, Job], wanted: list[Job]) -> list[str]:
-    """Targets of CMake that these jobs rest on."""
+    """CMake targets that these jobs depend on."""
     files = {file for job in behind(jobs, wanted) for file in job.depends}
     return sorted(file.removeprefix("programs/") for file in files if file.startswith("programs/"))

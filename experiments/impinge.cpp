@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program `impinge`: the commands of libcore/command, and
+// The program `impinge`: the commands of libcore/command, and `impinge cohort`, which works out a study of
+// many hips, drawn from a population or read from a folder of real joints, in shards on any computers:
 //
-//   impinge cohort --study FILE [--hips N] --shard i/K --out DIR     works out one part of K, or goes on
-//   where it was impinge cohort --merge DIR                                       cohort.csv, cohort.json and
-//   shards.json
-//
-// many hips: a study of how parameters spread over a population, or a folder of real joints, in shards that
-// any engine may run, and their results together.
+//   impinge cohort --study FILE [--hips N] --shard i/K --out DIR     works out part i of K, or continues it
+//   impinge cohort --merge DIR                                       cohort.csv, cohort.json, shards.json
 
 #include <array>
 #include <atomic>
@@ -89,7 +86,7 @@ void add_cohort(CLI::App& program, const Screen& screen, std::function<void()>& 
   });
 }
 
-// Given back where memory runs out, so that what is under way can be undone and told.
+// Freed when memory runs out, so that unfinished work can be undone and reported.
 std::atomic<char*> reserve;
 
 void give_back() {
@@ -98,7 +95,7 @@ void give_back() {
   delete[] given;
 }
 
-// Some destructors of libraries ask for memory, and end the program where they get none.
+// Some destructors of libraries allocate, and abort the program if they cannot.
 [[noreturn]] void end() {
   try {
     if (std::current_exception()) std::rethrow_exception(std::current_exception());
@@ -111,7 +108,7 @@ void give_back() {
   std::abort();
 }
 
-// A file that is opened in the place of a closed stream would get what is printed.
+// Without this, a file opened in the place of a closed stream would receive what is printed.
 void open_streams() {
   for (int stream = 0; stream < 3; ++stream)
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == 0 ? O_RDONLY : O_WRONLY);

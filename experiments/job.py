@@ -24,7 +24,7 @@ from pathlib import Path
 
 
 def tell(text: str) -> None:
-    """One line to whoever started the graph, if anybody listens still."""
+    """Sends one line to the process that started the graph, if it still listens."""
     with contextlib.suppress(OSError, KeyError):
         os.write(int(os.environ["IMPINGE_EVENTS"]), f"{text}\n".encode())
 
@@ -38,7 +38,7 @@ def relay(job: dict, child: subprocess.Popen) -> None:
 
 
 def run(job: dict, folder: Path) -> int:
-    """Runs the command in the folder; ends it when the run that started this job is gone (killed, say)."""
+    """Runs the command in the folder. Ends it if the run that started this job is gone, for example killed."""
     owner = int(os.environ.get("IMPINGE_RUN_PID", "0"))
     child = subprocess.Popen(
         job["command"],
@@ -67,7 +67,7 @@ def run(job: dict, folder: Path) -> int:
 
 
 def publish(staging: Path, results: Path, outputs: list[str]) -> None:
-    """Renames the outputs into place; one whose bytes are there already is left alone."""
+    """Renames the outputs into place, but leaves alone a file that already has these bytes."""
     for output in outputs:
         new, old = staging / output, results / output
         if old.is_file() and filecmp.cmp(new, old, shallow=False):
@@ -77,7 +77,7 @@ def publish(staging: Path, results: Path, outputs: list[str]) -> None:
 
 
 def finish(job: dict, staging: Path, code: int, seconds: float) -> int:
-    """Publishes a job that ended well and notes how long it took; says what is wrong with another."""
+    """Publishes a job that ended well and notes its time; reports what is wrong with one that did not."""
     missing = [output for output in job["outputs"] if not (staging / output).is_file()]
     if code != 0:
         print(f"{job['name']}: failed (exit {code}): {' '.join(job['command'])}", file=sys.stderr)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Keeps verdicts and tables of a finished full run in results/reference/, where the report finds what it shows beside
-those of any other run.
+"""Keeps verdicts and tables of a finished full run in results/reference/, where the report finds what it shows beside those
+of any other run.
 
-Refused, with one line that says why, unless the run is of the full profile and complete, every CSV has the bytes that its
+It refuses, with one line that says why, unless the run has the full profile and is complete, every CSV has the bytes that its
 sidecar vouches for, and all of them come from one commit without changes. Standard library only.
 """
 
@@ -30,7 +30,7 @@ KEYS = ("artefact", "row", "column")
 
 
 def outputs_of(build: Path, results: Path) -> list[str]:
-    """Every file that the full run makes, by the graph of its build folder."""
+    """Every file that the full run makes, from the graph in its build folder."""
     try:
         graph = build / "graph" / "jobs.json"
         folder, profile = (json.loads(graph.read_text())[key] for key in ("results", "profile"))
@@ -45,7 +45,7 @@ def outputs_of(build: Path, results: Path) -> list[str]:
 
 
 def record_of(table: Path) -> dict:
-    """The sidecar of a CSV, which must say on what it was measured."""
+    """The sidecar of a CSV. It must say where the CSV was measured."""
     record = sidecar(table)
     missing = [key for key in (*MACHINE, "dirty", "started_utc") if key not in record]
     if missing:
@@ -54,7 +54,7 @@ def record_of(table: Path) -> dict:
 
 
 def run_of(tables: list[Path]) -> dict:
-    """What all CSVs of the run share, and when it began."""
+    """What all CSVs of the run have in common, and when the run began."""
     records = {table: record_of(table) for table in tables}
     first = next(iter(records.values()))
     for table, record in records.items():
@@ -72,7 +72,7 @@ def run_of(tables: list[Path]) -> dict:
 
 
 def check_verdicts(verdicts: Path) -> None:
-    """One for each value of the thesis."""
+    """Refuses verdicts that lack a value of the thesis."""
 
     def rows(path: Path) -> set[tuple[str, ...]]:
         with path.open(newline="", encoding="utf-8") as file:
@@ -86,13 +86,13 @@ def check_verdicts(verdicts: Path) -> None:
 
 
 def outcome(verdicts: Path) -> str:
-    """How often each verdict was given, as the README says it."""
+    """How often each verdict was given, in the README's words."""
     with verdicts.open(newline="", encoding="utf-8") as file:
         return tally.said(csv.DictReader(file))
 
 
 def keep(results: Path, tables: list[str], run: dict, reference: Path) -> None:
-    """The folder changes when everything is written, and what an older run left in it goes."""
+    """Replaces the folder once everything is written; what an older run left in it is removed."""
     reference.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=reference.parent, prefix=".reference-") as folder:
         staged = Path(folder)
@@ -107,7 +107,7 @@ def keep(results: Path, tables: list[str], run: dict, reference: Path) -> None:
 
 
 def main() -> int:
-    """Checks everything first."""
+    """Checks everything before it writes."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--results", type=Path, default=SOURCE / "results", help="of a finished full run")
     parser.add_argument(

@@ -35,14 +35,14 @@ STATUS = "@@ "  # starts every status line of Ninja, see NINJA_STATUS
 
 
 def expected(setup: Setup, job: Job) -> Job:
-    """With the time that it took before, or else its budget."""
+    """Seconds that a job is expected to take: as last time, or else its budget."""
     measured = setup.graph / setup.profile / job.name
     seconds = float(measured.read_text()) if measured.is_file() else job.budget[setup.profile == "full"]
     return dataclasses.replace(job, seconds=seconds)
 
 
 def find(jobs: dict[str, Job], name: str) -> Job:
-    """The job of that name, or that makes the artefact or file of that name; another name is refused, with those near it."""
+    """The job with that name, or the job that makes the artefact or file with that name. Refuses other names, with similar ones."""
     known = {}
     for job in jobs.values():
         for other in (*job.outputs, *(Path(output).stem for output in job.outputs)):
@@ -65,7 +65,7 @@ def words(seconds: float) -> str:
 
 
 def show_list(setup: Setup, jobs: dict[str, Job]) -> None:
-    """Each artefact once."""
+    """Lists each artefact once."""
     for job in jobs.values():
         data = [other.name for other in graph.behind(jobs, [job]) if other.kind == "data"]
         for artefact in job.artefacts:
@@ -78,7 +78,7 @@ def show_list(setup: Setup, jobs: dict[str, Job]) -> None:
 
 
 def write_whole(path: Path, text: str) -> None:
-    """Writes a file whole or not at all, and not if it has these bytes."""
+    """Writes a file as a whole or not at all; leaves it alone if it already has these bytes."""
     if not path.is_file() or path.read_text() != text:
         partial = path.with_name(f"{path.name}.partial")
         partial.write_text(text)
@@ -98,7 +98,7 @@ def start(folder: Path, *arguments: str, output=subprocess.PIPE, **environment: 
 
 
 def dry_run(folder: Path, *arguments: str) -> str:
-    """What Ninja says that it would do."""
+    """What Ninja says it would do."""
     process = start(folder, "-n", *arguments, NINJA_STATUS=STATUS)
     said = process.communicate()[0]
     if process.returncode != 0:
@@ -115,7 +115,7 @@ REASONS = [
 
 
 def why(setup: Setup, jobs: dict[str, Job], job: Job) -> None:
-    """Why Ninja would make the job again: the causes, not what follows from them. Changes nothing."""
+    """Why Ninja would make the job again: the causes, without their consequences. Changes nothing."""
     programs = graph.programs_behind(jobs, [job])
     causes = [f"program {name} is not built yet" for name in programs if not Path(setup.program(name)).is_file()]
     if not causes:
@@ -146,7 +146,7 @@ class Progress:
         self.parallel = parallel
 
     def seconds_left(self) -> float:
-        """Timings one after another, the rest side by side."""
+        """Seconds left: timings run one after another, the others side by side."""
         left = {True: 0.0, False: 0.0}
         for job in self.left.values():
             elapsed = time.monotonic() - self.running[job.name] if job.name in self.running else 0.0
@@ -177,8 +177,8 @@ class Progress:
 
 
 def build_programs(setup: Setup, targets: list[str], parallel: int) -> None:
-    """Compiles what changed, before anything runs: no compiler beside a stopwatch. Ninja's own progress is shown, and
-    nothing when there is nothing to do.
+    """Compiles what changed before anything runs, so that no compiler runs beside a stopwatch. Shows Ninja's own progress, or
+    nothing if there is nothing to do.
     """
     if not (setup.build / "build.ninja").is_file():
         print(f"Configuring {setup.build}", flush=True)
@@ -206,13 +206,13 @@ def build_programs(setup: Setup, targets: list[str], parallel: int) -> None:
 
 
 def planned_jobs(setup: Setup, targets: list[str], jobs: dict[str, Job]) -> list[Job]:
-    """What Ninja would run, in its order."""
+    """The jobs that Ninja would run, in its order."""
     said, mark = dry_run(setup.graph, "-f", RESULTS, *targets), f"{STATUS}job "
     return [jobs[line.removeprefix(mark)] for line in said.splitlines() if line.startswith(mark)]
 
 
 def run_jobs(setup: Setup, targets: list[str], progress: Progress) -> int:
-    """Runs the graph and tells what the jobs tell; Ninja's own output is kept for a failure."""
+    """Runs the graph and passes on what the jobs report; keeps Ninja's own output in case of a failure."""
     read, write = os.pipe()
     os.set_inheritable(write, True)
     log = setup.graph / "ninja.log"
@@ -231,13 +231,13 @@ def run_jobs(setup: Setup, targets: list[str], progress: Progress) -> int:
 
 
 def closing(results: Path, job: Job | None) -> None:
-    """Where the results are, and how the verdicts count; of one job, what it makes."""
+    """Says where the results are and counts the verdicts; for a single job, says what it makes."""
     if job:
         for output in job.outputs:
             print(f"made     {results / output}")
         return
-    pages = {"report": "report.html", "Joint3D": "joint3d.html", "paper": "paper.pdf", "verdicts": "verdicts.csv"}
-    for what, name in pages.items():
+    pages = [("report", "report.html"), ("Joint3D", "joint3d.html"), *(("paper", f"{name}.pdf") for name in graph.PAPERS), ("verdicts", "verdicts.csv")]
+    for what, name in pages:
         if (results / name).is_file():
             print(f"{what:9}{results / name}")
     with (results / "verdicts.csv").open(newline="") as file:
@@ -245,7 +245,7 @@ def closing(results: Path, job: Job | None) -> None:
 
 
 def run(setup: Setup, jobs: dict[str, Job], job: Job | None, parallel: int) -> int:
-    """Builds, then runs what is not up to date: one job and what it needs, or all."""
+    """Builds, then runs what is not up to date: one job with what it needs, or all jobs."""
     begin = time.monotonic()
     setup.results.mkdir(parents=True, exist_ok=True)
     build_programs(setup, graph.programs_behind(jobs, [job] if job else [*jobs.values()]), parallel)
@@ -270,7 +270,7 @@ def run(setup: Setup, jobs: dict[str, Job], job: Job | None, parallel: int) -> i
 
 
 def main() -> int:
-    """The command line that experiments/reproduce gives."""
+    """Reads the command line that experiments/reproduce passes on."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("action", choices=["run", "list", "why"])
     parser.add_argument("--build", type=Path, required=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What every table and figure shares: its arguments and its end here; reading, words, writing and drawing from the
+"""What every table and figure needs: its arguments and its end are here; reading, words, writing and drawing come from the
 modules below.
 
 Every script is called as PYTHONPATH=analysis python3 SCRIPT --results DIR [--out DIR]: it reads DIR/data/NAME.csv and
@@ -28,7 +28,7 @@ Table = tuple[pd.DataFrame, str]  # and its LaTeX
 
 
 def arguments(*more: str) -> argparse.Namespace:
-    """--results, --out and further required options of the same kind."""
+    """The arguments --results and --out, and `more` required ones."""
     parser = argparse.ArgumentParser(description=sys.modules["__main__"].__doc__)
     parser.add_argument("--results", type=Path, required=True, help="the results folder")
     parser.add_argument("--out", type=Path, default=Path("."), help="where to write, laid out as the results folder")
@@ -38,8 +38,8 @@ def arguments(*more: str) -> argparse.Namespace:
 
 
 def run(main: Callable[[argparse.Namespace], Table | Figure | None], *more: str) -> NoReturn:
-    """Calls main(arguments(*more)) and writes the table or figure that it returns, named --name or as the script's head
-    says. A refusal is one clear line and exit code 1.
+    """Calls main(arguments(*more)) and writes the table or figure that it returns, with the name from --name or from the
+    script's head. A refusal is one clear line and exit code 1.
     """
     options = arguments(*more)
     script = Path(sys.argv[0])

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is published of populations of hips, and the same of a cohort of ours. By hand, for a cohort that the program of that
-name merged: PYTHONPATH=analysis python3 -m common.cohort DIR/cohort.csv writes the comparison as CSV."""
+"""Compares published populations of hips with a cohort of ours. By hand, for a cohort that the program of that name merged:
+PYTHONPATH=analysis python3 -m common.cohort DIR/cohort.csv writes the comparison as CSV."""
 
 import sys
 from pathlib import Path
@@ -36,7 +36,7 @@ def share_of_cams(hips: pd.DataFrame, below: float) -> float:
 
 
 def group(hips: pd.DataFrame, name: str) -> pd.Series:
-    """Internal rotation of those that stand for a group, by alpha at 1:30."""
+    """Internal rotation of the hips that stand for a group, chosen by alpha at 1:30."""
     alpha = hips.alpha_1_30
     chosen = {
         "controls": alpha <= CAM,
@@ -47,7 +47,7 @@ def group(hips: pd.DataFrame, name: str) -> pd.Series:
 
 
 def statistics(hips: pd.DataFrame) -> dict[str, float]:
-    """Everything that is compared, of one cohort."""
+    """All compared numbers of one cohort."""
     rotation = hips[ROTATION]
     found = {
         "alpha at 3:00, mean": hips.alpha_3_00.mean(),
@@ -84,7 +84,7 @@ PUBLISHED = {
 
 
 def comparison(hips: pd.DataFrame) -> pd.DataFrame:
-    """A row a statistic: published, ours with 95 % by a bootstrap over the hips, and whether these hold the published one."""
+    """A row per statistic: published, ours with its 95 % interval by a bootstrap over the hips, and whether it holds the former."""
     ours = statistics(hips)
     random = np.random.default_rng(27)
     draws = DRAWS if len(hips) <= 3000 else DRAWS // 5

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the diagrams of the thesis' algorithms share (Figures 25 to 35): faces on the chart, points in space seen from
-far away, sections, boxes of a flow chart.
+far away, sections, and boxes of a flow chart.
 """
 
 from dataclasses import dataclass
@@ -25,12 +25,12 @@ PARTS = [  # of a face, distinct in grey by their hatches
 
 @dataclass(frozen=True)
 class Eye:
-    """A view from far away: rows right, up and towards the eye."""
+    """A view from far away. The rows are right, up and towards the eye."""
 
     frame: np.ndarray
 
     def see(self, points: np.ndarray) -> np.ndarray:
-        """Points (..., 3) on the paper (..., 2)."""
+        """Projects points (..., 3) onto the paper (..., 2)."""
         return np.asarray(points, float) @ self.frame[:2].T
 
 
@@ -47,7 +47,7 @@ def faces(corners: pd.DataFrame, name: str) -> np.ndarray:
 
 
 def arrow(axes: plt.Axes, tail, tip, text: str = "", **look) -> None:
-    """From one point of the paper to another, and a word at the tip."""
+    """Draws an arrow from one point of the paper to another, with a word at its tip."""
     look = {"color": INK, "linewidth": 1.1, "arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0, **look}
     axes.annotate("", tip, tail, arrowprops=look, annotation_clip=False)
     if text:
@@ -57,7 +57,7 @@ def arrow(axes: plt.Axes, tail, tip, text: str = "", **look) -> None:
 
 
 def note(axes: plt.Axes, at, text: str, offset=(0, 0), **look) -> None:
-    """Words beside a point, `offset` in points of the page, kept readable on lines."""
+    """Writes words beside a point, `offset` in points of the page, readable even on lines."""
     look = {
         "fontsize": 9,
         "color": INK,
@@ -71,23 +71,23 @@ def note(axes: plt.Axes, at, text: str, offset=(0, 0), **look) -> None:
 
 
 def title(axes: plt.Axes, text: str) -> None:
-    """Above the middle of a panel."""
+    """Writes a title above the middle of a panel."""
     axes.set_title(text, fontsize=9.5, loc="center")
 
 
 def dots(axes: plt.Axes, points: np.ndarray, **look) -> None:
-    """Markers at points (n, 2)."""
+    """Draws markers at points (n, 2)."""
     look = {"color": POINT, "marker": "o", "markersize": 3, "linestyle": "none", "zorder": 5, **look}
     axes.plot(*np.asarray(points).T, **look)
 
 
 def polygon(axes: plt.Axes, points: np.ndarray, **look) -> None:
-    """A closed area."""
+    """Fills a polygon."""
     axes.add_patch(Polygon(points, **{"edgecolor": INK, "linewidth": 1.2, "zorder": 2, **look}))
 
 
 def frame(axes: plt.Axes, points: np.ndarray, room: float = 0.12) -> None:
-    """Limits round points (n, 2), equal scales, no axes."""
+    """Sets limits round points (n, 2), with equal scales and no axes."""
     low, high = np.min(points, axis=0), np.max(points, axis=0)
     middle, reach = (low + high) / 2, (0.5 + room) * np.max(high - low)
     axes.set(xlim=middle[0] + reach * np.array([-1, 1]), ylim=middle[1] + reach * np.array([-1, 1]))
@@ -96,7 +96,7 @@ def frame(axes: plt.Axes, points: np.ndarray, room: float = 0.12) -> None:
 
 
 def box(axes: plt.Axes, middle, size, text: str, **look) -> None:
-    """A rounded box with words, in the units of the axes."""
+    """Draws a rounded box with words, in the units of the axes."""
     words = {key: look.pop(key) for key in ("fontsize", "color", "weight") if key in look}
     corner = np.subtract(middle, np.multiply(size, 0.5))
     look = {"facecolor": "white", "edgecolor": INK, "linewidth": 1.1, "zorder": 3, **look}

@@ -21,19 +21,19 @@ def drawn(chart: pd.DataFrame, name: str) -> np.ndarray:
 
 
 def chart_axes(axes: plt.Axes, title: str = "") -> None:
-    """Azimuth to the right, polar angle downwards: the north pole is the upper edge."""
+    """Axes with azimuth to the right and polar angle downwards: the north pole is the upper edge."""
     axes.set(xlabel=THETA, ylabel=PHI)
     axes.set_title(title, fontsize=9.5, loc="center")
     axes.grid(visible=False)
 
 
 def turns(axes: plt.Axes, low: float = 0, high: float = 360, step: float = 60) -> None:
-    """Ticks of an azimuth."""
+    """Sets the ticks of an azimuth."""
     axes.set(xlim=(low, high), xticks=np.arange(low, high + 1, step))
 
 
 def area(axes: plt.Axes, corners: np.ndarray, **look) -> None:
-    """A polygon, on both sides of the seam where it reaches beyond."""
+    """Draws a polygon; a part that reaches across the seam also appears on the other side."""
     for turn in (-360, 0, 360):
         moved = corners + [turn, 0]
         if moved[:, 0].max() > 0 and moved[:, 0].min() < 360:
@@ -41,7 +41,7 @@ def area(axes: plt.Axes, corners: np.ndarray, **look) -> None:
 
 
 def true_edges(axes: plt.Axes, face: np.ndarray, **look) -> None:
-    """The edges of a triangle in space, on the chart: great circles, broken at the seam; none through a pole."""
+    """Draws the edges of a triangle in space on the chart: great circles, broken at the seam. No edge may go through a pole."""
     share = np.linspace(0, 1, 400)[:, None]
     for k in range(3):
         points = (1 - share) * face[k] + share * face[(k + 1) % 3]
@@ -54,7 +54,7 @@ def true_edges(axes: plt.Axes, face: np.ndarray, **look) -> None:
 
 
 def cells(axes: plt.Axes, entries: pd.DataFrame, **look) -> None:
-    """Each entry of a table as a square of its precision."""
+    """Draws each entry of a table as a square as wide as the precision."""
     step = entries.precision_deg.iloc[0]
     half = step / 2
     corners = np.array([(-half, -half), (half, -half), (half, half), (-half, half)])
@@ -64,12 +64,12 @@ def cells(axes: plt.Axes, entries: pd.DataFrame, **look) -> None:
 
 
 def of_face(coverage: pd.DataFrame, name: str, precision: float = 1.0) -> pd.DataFrame:
-    """The entries of one mesh at one precision."""
+    """The entries that one mesh fills at one precision."""
     return coverage[(coverage.name == name) & (coverage.precision_deg == precision)]
 
 
 def read_image(path: Path, limits: tuple[float, float]) -> np.ndarray:
-    """Radii in mm by row and column, NaN where there is no surface; the image is a binary PGM of 8 bits."""
+    """Reads a binary PGM image of 8 bits: radii in mm by row and column, NaN where there is no surface."""
     data = path.read_bytes()
     kind, size, largest, pixels = data.split(b"\n", 3)
     columns, rows = map(int, size.split())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies in the patient's frontal plane, from the front (Figures 26, 29 and 35)."""
+"""Bodies in the patient's frontal plane, seen from the front (Figures 26, 29 and 35)."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -11,7 +11,7 @@ from common import diagram
 
 
 def front(points: np.ndarray) -> np.ndarray:
-    """Points (..., 3) of the joint frame seen from the patient's front: right is on the left, superior above."""
+    """Points (..., 3) of the joint frame seen from the patient's front: the patient's right is on the left, superior above."""
     return np.asarray(points, float)[..., [0, 2]] * [-1, 1]
 
 
@@ -22,7 +22,7 @@ def segments(sections: pd.DataFrame, name: str) -> np.ndarray:
 
 
 def section(axes: plt.Axes, sections: pd.DataFrame, name: str, fill: str | None = None, **look) -> None:
-    """What the frontal plane y = 0 cuts of one mesh, from the front."""
+    """The section of a mesh by the frontal plane y = 0, seen from the front."""
     ends = segments(sections, name)
     look = {"linewidths": 1.6, "capstyle": "round", "zorder": 3, **look}
     axes.add_collection(LineCollection(ends, **look))
@@ -32,7 +32,7 @@ def section(axes: plt.Axes, sections: pd.DataFrame, name: str, fill: str | None 
 
 
 def loops(ends: np.ndarray) -> list[np.ndarray]:
-    """Segments (n, 2, 2) whose ends meet, in the order in which they run round."""
+    """Closed loops: the points of segments (n, 2, 2) whose ends meet, in order."""
     keys = [[tuple(end) for end in segment] for segment in ends.round(4).tolist()]
     keys = [segment for segment in keys if segment[0] != segment[1]]
     near: dict[tuple, list] = {}
@@ -56,6 +56,6 @@ def loops(ends: np.ndarray) -> list[np.ndarray]:
 
 
 def in_section(rays: pd.DataFrame, name: str, column: str = "nearest_mm") -> np.ndarray:
-    """Where the rays of that plane meet the mesh, from the front; none where they meet nothing."""
+    """Where the rays of that plane meet the mesh, seen from the front; nothing for a ray that meets none."""
     rows = rays[(rays.name == name) & rays[column].notna()]
     return front(rows[column].to_numpy()[:, None] * diagram.direction(rows.phi_deg, rows.theta_deg))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The clock of a socket, drawn round it as the camera sees it."""
+"""Draws the clock of a socket round it, as the camera sees it."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -9,7 +9,7 @@ from common.drawing import HALO, INK
 
 
 def radius(joint: hip.Hip) -> float:
-    """Of a dial that surrounds the socket, mm."""
+    """Radius of a dial that surrounds the socket, mm."""
     dial = hip.dial(joint)
     axis = np.cross(dial.twelve, dial.three)
     across = joint.socket.vertices - np.outer(joint.socket.vertices @ axis, axis)
@@ -17,13 +17,13 @@ def radius(joint: hip.Hip) -> float:
 
 
 def camera(joint: hip.Hip, pixels: int = hip.PIXELS) -> render.View:
-    """The medial view, with room for the dial."""
+    """The camera of the medial view, with room for the dial."""
     seen = hip.view("medial", joint, [joint.socket], pixels)
     return render.View(hip.dial(joint).middle, seen.towards, seen.up, 1.52 * radius(joint), pixels)
 
 
 def draw(axes: plt.Axes, panel: panels.Panel, joint: hip.Hip, fontsize: float = 9) -> None:
-    """Ring, ticks and hours."""
+    """Draws the ring, ticks and hours."""
     dial, size = hip.dial(joint), radius(joint)
 
     def seen(hours: np.ndarray, share: float) -> np.ndarray:

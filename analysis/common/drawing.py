@@ -66,7 +66,7 @@ UNSAID = {"svg": ["Date", "Creator"], "png": ["Software"], "pdf": ["CreationDate
 
 
 def style() -> None:
-    """Fonts, sizes and lines of every figure; no date and no random name in a file."""
+    """Sets fonts, sizes and lines for every figure; a file gets no date and no random name."""
     plt.rcParams.update(
         {
             "figure.figsize": (6.4, 4.4),
@@ -93,8 +93,8 @@ def style() -> None:
 
 
 def look(names: list[str]) -> dict[str, dict]:
-    """Colour, marker and dash of each name: of a method as METHODS has it, of others by first appearance. Markers are hollow in
-    the second round, and of a method's second form.
+    """Colour, marker and dash of each name: of a method from METHODS, of others by first appearance. Markers are hollow in the
+    second round, and for a method's second form.
     """
     looks = {}
     others = 0
@@ -115,7 +115,7 @@ def look(names: list[str]) -> dict[str, dict]:
 
 
 def key(label: str, **look) -> Line2D:
-    """What a legend says of a line or marker, wherever that is drawn."""
+    """What a legend shows for a line or marker, wherever that is drawn."""
     return Line2D([], [], label=label, **look)
 
 
@@ -125,13 +125,13 @@ def marks(axes: plt.Axes, x, y, **look) -> None:
 
 
 def note(axes: plt.Axes, text: str, at, offset: tuple[float, float], **look) -> Annotation:
-    """Words beside a point, `offset` in points of the page."""
+    """Writes words beside a point, `offset` in points of the page."""
     return axes.annotate(text, at, offset, textcoords="offset points", **{"fontsize": SMALL, **look})
 
 
 def number_clip_paths(svg: Path) -> None:
-    """Numbers the clip paths of an SVG in their order: matplotlib names those that are no rectangles after
-    addresses in memory, which differ from run to run.
+    """Numbers the clip paths of an SVG in order. matplotlib names those that are not rectangles after addresses in memory,
+    which differ from run to run.
     """
     text = svg.read_text(encoding="utf-8")
     for number, name in enumerate(re.findall(r'<clipPath id="([^"]+)"', text)):
@@ -140,7 +140,7 @@ def number_clip_paths(svg: Path) -> None:
 
 
 def save_figure(figure: Figure, out: Path, name: str, kinds: list[str] = list(UNSAID)) -> None:
-    """figures/NAME.KIND, svg, png or pdf, the same bytes for the same figure."""
+    """Writes figures/NAME.KIND as svg, png or pdf; the same figure gives the same bytes."""
     folder = out / "figures"
     folder.mkdir(parents=True, exist_ok=True)
     figure.draw_without_rendering()

@@ -101,7 +101,7 @@ def name_lines(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict, 
 
 
 def spread(heights: np.ndarray) -> np.ndarray:
-    """Rising heights, moved as little as it takes to be LINE apart."""
+    """Moves ascending heights as little as possible until they are at least LINE apart."""
     placed = heights.astype(float).copy()
     for _ in range(200):
         gaps = np.diff(placed)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tables, the figures and the paper share of all gaps of a pose, of touch and of smallest gaps, in experiment
+"""What the tables, the figures and the paper share about all gaps of a pose, touch and smallest gaps, from experiment
 10_error_against_time.
 """
 
@@ -17,9 +17,9 @@ DIRECTIONS = ["socket->ball", "ball->socket"]
 
 
 def load(results: Path, state: str = "warm", scenes: str = "generated_") -> pd.DataFrame:
-    """The warm or the cold rows of data/all_gaps.csv of the scenes that begin so, with a readable `line` for each method and
-    storage, the largest error of either sign, error_um, and times_embree, the time of the fastest of Embree's rays over theirs
-    (nan where Embree is not asked, since the first face along a ray is not the one that counts).
+    """The warm or the cold rows of data/all_gaps.csv for scenes whose names begin with `scenes`. It adds a readable `line` for
+    each method and storage; error_um, the largest error of either sign; and times_embree, the time of the fastest of Embree's
+    rays divided by the method's (nan where Embree is not asked, since the first face along a ray is not the one that counts).
     """
     table = common.load(results, "all_gaps")
     table = table[(table.state == state) & table.scene.str.startswith(scenes)].copy()
@@ -36,23 +36,23 @@ def best_set(table: pd.DataFrame) -> str:
 
 
 def set_name(table: pd.DataFrame) -> str:
-    """The same as a reader knows it: Highway calls all of AVX-512 by names that begin with AVX3."""
+    """The name of best_set() for a reader. Highway's names for AVX-512 begin with AVX3."""
     best = best_set(table)
     return "AVX-512" if best.startswith("AVX3") else best
 
 
 def one_thread(table: pd.DataFrame) -> pd.DataFrame:
-    """One thread, the best instruction set."""
+    """The rows with one thread and the best instruction set."""
     return table[(table.threads == 1) & table.instruction_set.isin(["none", best_set(table)])]
 
 
 def plain_rows(table: pd.DataFrame) -> pd.DataFrame:
-    """The same of the joint that is shown."""
+    """The rows of one_thread() for the joint that is shown."""
     return one_thread(table[table.triangles == TRIANGLES])
 
 
 def contacts(results: Path, scenes: str = "generated_") -> pd.DataFrame:
-    """The rows of data/contact.csv of the scenes that begin so, with a readable `line` for each method."""
+    """The rows of data/contact.csv for scenes whose names begin with `scenes`, with a readable `line` for each method."""
     table = common.load(results, "contact")
     table = table[table.scene.str.startswith(scenes)].copy()
     table["line"] = table.method.map(table.attrs["labels"])

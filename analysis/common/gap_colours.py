@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The colours of a gap: those of the scene (libcore/hip/gap_levels.hpp), the thesis' five, darker towards
-contact, so that a picture reads in grey and with every common colour vision.
+"""The colours of a gap, as in the scene (libcore/hip/gap_levels.hpp): the thesis' five, darker towards contact, so that a
+picture reads in grey and with every common colour vision.
 """
 
 from dataclasses import dataclass
@@ -17,9 +17,7 @@ SHADES = 4096  # entries of a colour table: so finely are thresholds resolved
 
 @dataclass(frozen=True)
 class Colours:
-    """Upper ends of the levels in mm, the last one infinite, and the colour of each and of no gap, from 0 to
-    1.
-    """
+    """Upper ends of the levels in mm, the last one infinite; the colour of each level and of no gap, from 0 to 1."""
 
     upper: np.ndarray
     rgb: np.ndarray
@@ -38,7 +36,7 @@ def colours_of(summary: dict, part: str) -> Colours:
 
 
 def shades(colours: Colours) -> render.Shades:
-    """Finely enough that the thresholds are seen where they are."""
+    """The colours in steps so fine that thresholds appear where they are."""
     limits = (-1.0, float(colours.upper[-2]) + 1.0)
     level = np.searchsorted(colours.upper, np.linspace(*limits, SHADES))
     return render.Shades(colours.rgb[level], limits, tuple(colours.nothing))
@@ -55,12 +53,12 @@ def of_part(joint, part: str, opacity: float = 1.0) -> vtkActor:
 
 
 def both(joint) -> list[vtkActor]:
-    """Ball and socket."""
+    """Ball and socket, each in its colours."""
     return [of_part(joint, part) for part in ("ball", "socket")]
 
 
 def legend(summary: dict, parts: tuple[str, ...] = ("ball", "socket")) -> list[Patch]:
-    """The colours from contact outwards; the last differs between ball and socket."""
+    """The legend, from contact outwards; the last colour differs between ball and socket."""
     first = colours_of(summary, parts[0])
     patches = [Patch(color=first.rgb[0], label="bones touch or overlap")]
     for low, high, colour in zip(first.upper, first.upper[1:-1], first.rgb[1:-1]):
@@ -72,7 +70,7 @@ def legend(summary: dict, parts: tuple[str, ...] = ("ball", "socket")) -> list[P
 
 
 def add_legend(figure, summary: dict, parts: tuple[str, ...] = ("ball", "socket")) -> None:
-    """At the foot of a sheet of panels.py, with what the letters in them mean."""
+    """Adds the legend at the foot of a sheet of panels.py, with the meaning of the letters in the panels."""
     box = figure.legend(
         handles=legend(summary, parts),
         loc="lower center",

@@ -29,7 +29,7 @@ ROOMS = {
 
 @functools.cache
 def head(path: Path) -> tuple[dict[str, str], list[dict[str, str]]]:
-    """What a file says before its first @name, and all that it says of each name."""
+    """What a file says before its first @name, and what it says about each name."""
     shared: dict[str, str] = {}
     jobs: list[dict[str, str]] = []
     mark = "//" if path.suffix == ".cpp" else "#"
@@ -58,7 +58,7 @@ def imported(path: Path) -> list[Path]:
 
 
 def reached(path: Path) -> list[Path]:
-    """The file, what it imports, and so on."""
+    """The file, its imports, their imports, and so on."""
     found = [path]
     for file in found:  # which grows meanwhile
         found += [other for other in imported(file) if other not in found]
@@ -73,7 +73,7 @@ def unused() -> list[Path]:
 
 
 def job_of(script: Path, name: str | None) -> dict[str, str]:
-    """What the script's head says of the job of that name, or of its only one."""
+    """What the script's head says about the job with that name, or about its only job."""
     job = next(
         job for job in head(script)[1] if name is None or re.fullmatch(re.sub(r"\b[A-Z]+\b", ".+", job["name"]), name)
     )
@@ -81,12 +81,12 @@ def job_of(script: Path, name: str | None) -> dict[str, str]:
 
 
 def filled(text: str, words: dict[str, str]) -> str:
-    """The text with each of the words replaced by what stands for it."""
+    """The text with each of the words replaced by its value."""
     return re.sub(r"\b[A-Z]+\b", lambda match: words.get(match[0], match[0]), text)
 
 
 def expanded(word: str) -> list[str]:
-    """A word with {a,b} in it written out, and one with * in it as the files of the project that it stands for."""
+    """Expands a word: {a,b} to several words, and * to the project's matching files."""
     if match := re.search(r"\{([^{}]*)\}", word):
         ends = word[: match.start()], word[match.end() :]
         return [one for choice in match[1].split(",") for one in expanded(choice.join(ends))]
@@ -95,7 +95,7 @@ def expanded(word: str) -> list[str]:
 
 
 def variants(job: dict[str, str], lists: dict[str, str]) -> Iterator[dict[str, str]]:
-    """The job as it is made: once, or for each word of a list."""
+    """The job in the variants in which it is made: once, or for each word of a list."""
     job = {key: filled(text, lists) for key, text in job.items()}
     word, _, values = job.get("for", "").partition(" in ")
     for value in values.split(",") if word else [""]:
@@ -105,7 +105,7 @@ def variants(job: dict[str, str], lists: dict[str, str]) -> Iterator[dict[str, s
 
 
 def declared(path: Path, job: dict[str, str], results: Path) -> dict:
-    """The fields of a Job (jobs.py). What a file that is imported needs, the script needs too."""
+    """The fields of a Job (jobs.py). A script needs what the files that it imports need."""
     room = path.parent.name
     job = {"seconds": "1 1", **ROOMS[room], **job}
     if not {"question", "outputs"} <= job.keys():
@@ -130,7 +130,7 @@ def declared(path: Path, job: dict[str, str], results: Path) -> dict:
 
 
 def script_jobs(room: str, lists: dict[str, str], results: Path) -> list[dict]:
-    """The jobs of all scripts in a folder, lists written out: JOINTS, say, as "a,b"."""
+    """The jobs of all scripts in a folder. `lists` gives the values of words such as JOINTS, for example "a,b"."""
     paths = sorted((ANALYSIS / room).glob("*.py"))
     return [
         declared(path, job, results) for path in paths for lines in head(path)[1] for job in variants(lines, lists)

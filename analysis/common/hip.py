@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A joint for its pictures: the meshes of scenes/NAME in the joint frame (x right, y anterior, z superior, mm, the
-centre of rotation as origin), the anatomical views, and what a reader must be told of it.
+centre of rotation as origin), the anatomical views, and what a reader must be told about the joint.
 """
 
 from dataclasses import dataclass, replace
@@ -34,7 +34,7 @@ STAND_INS = {"patient_a": "patient A", "patient_b": "patient B"}
 
 @dataclass(frozen=True)
 class Hip:
-    """Meshes with their gap, and the summary of the scene that made them."""
+    """Meshes with their gaps, and the summary of the scene that made them."""
 
     name: str
     side: str  # right or left
@@ -44,7 +44,7 @@ class Hip:
 
     @property
     def outwards(self) -> float:
-        """Which way of x is lateral."""
+        """The direction of x that is lateral."""
         return 1.0 if self.side == "right" else -1.0
 
 
@@ -56,7 +56,7 @@ def to_joint(points: np.ndarray, summary: dict) -> np.ndarray:
 
 
 def load(results: Path, scene: str) -> Hip:
-    """From scenes/SCENE. A scene that does not know its side is shown as a right joint."""
+    """Loads scenes/SCENE. A scene that does not know its side is shown as a right joint."""
     folder = results / "scenes" / scene
     summary = summaries.read(folder)
 
@@ -68,7 +68,7 @@ def load(results: Path, scene: str) -> Hip:
 
 
 def title(name: str) -> str:
-    """What a reader calls the joint NAME, or the scene NAME-MOTION of it."""
+    """The name of the joint NAME for a reader, or of its scene NAME-MOTION."""
     joint = name.split("-")[0]
     if joint in STAND_INS:
         return f"Generated stand-in for {STAND_INS[joint]}, whose scan is not public"
@@ -76,7 +76,7 @@ def title(name: str) -> str:
 
 
 def pose(joint: Hip) -> str:
-    """Of a scene, in words."""
+    """The pose of a scene, in words."""
     text = joint.summary["pose"].replace("=", " ").replace("_", " ").replace(",", "°, ")
     if "=" in joint.summary["pose"]:
         return f"{text}°"
@@ -84,7 +84,7 @@ def pose(joint: Hip) -> str:
 
 
 def close_zones(summary: dict) -> str:
-    """Where the socket is within the cartilage, in words."""
+    """The hours at which the socket's gaps are within the cartilage, in words."""
     level = summary["impingement"][-1]
     found = level["socket"]["clock_zones"]
     if found is None:
@@ -101,7 +101,7 @@ def close_zones(summary: dict) -> str:
 
 
 def looks(outwards: float) -> dict[str, tuple[float, float, float]]:
-    """Where the camera of each view looks; `outwards` is the way of x that is lateral, 1 for a right hip."""
+    """The direction in which the camera of each view looks; `outwards` is the lateral direction of x, 1 for a right hip."""
     return {
         "superior": (0, 0, -1),
         "inferior": (0, 0, 1),
@@ -114,7 +114,7 @@ def looks(outwards: float) -> dict[str, tuple[float, float, float]]:
 
 
 def towards(view: str, joint: Hip) -> tuple[np.ndarray, np.ndarray]:
-    """Where a camera of that name looks, and what is up in its picture."""
+    """The direction in which the camera of a view looks, and the direction that is up in its picture."""
     look = np.array(looks(joint.outwards)[view], dtype=float)
     look /= np.linalg.norm(look)
     up = np.array([0.0, 1.0, 0.0] if abs(look[2]) == 1.0 else [0.0, 0.0, 1.0])
@@ -122,7 +122,7 @@ def towards(view: str, joint: Hip) -> tuple[np.ndarray, np.ndarray]:
 
 
 def view(name: str, joint: Hip, meshes: list[ply.Mesh], pixels: int = PIXELS) -> render.View:
-    """The camera of that name, so that it shows the meshes as far as NEAR from the centre."""
+    """The camera of a view, which shows the meshes up to NEAR from the centre."""
     look, up = towards(name, joint)
     up = up / np.linalg.norm(up)
     points = np.vstack([mesh.vertices for mesh in meshes])
@@ -130,8 +130,8 @@ def view(name: str, joint: Hip, meshes: list[ply.Mesh], pixels: int = PIXELS) ->
 
 
 def letters(seen: render.View) -> dict[str, str]:
-    """Which way of the body the sides of a picture point: left, right, top, bottom -> letter; none for a slanting
-    direction.
+    """The direction of the body to which each side of a picture points: left, right, top, bottom -> letter; none for an
+    oblique direction.
     """
     right = np.cross(seen.towards, seen.up)
     ways = {"right": right, "left": -right, "top": seen.up, "bottom": -seen.up}
@@ -161,20 +161,20 @@ def sphere_rings(radius: float, count: int = 9) -> list[np.ndarray]:
 
 @dataclass(frozen=True)
 class Dial:
-    """Clock of the socket in the joint frame: through `middle`, mm."""
+    """Clock of the socket in the joint frame, about `middle`, mm."""
 
     twelve: np.ndarray
     three: np.ndarray
     middle: np.ndarray
 
     def at(self, hours: float | np.ndarray, radius: float) -> np.ndarray:
-        """Points (..., 3) of the dial."""
+        """Points (..., 3) on the dial."""
         angle = np.asarray(hours) * np.pi / 6
         return self.middle + radius * (np.cos(angle)[..., None] * self.twelve + np.sin(angle)[..., None] * self.three)
 
 
 def dial(joint: Hip) -> Dial:
-    """Where the socket's rim is widest."""
+    """The dial where the socket's rim is widest."""
     found = joint.summary["dial"]
     if found is None:
         raise common.Refused(

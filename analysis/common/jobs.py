@@ -23,12 +23,12 @@ class Job:
 
     @property
     def artefacts(self) -> list[str]:
-        """What a reader calls what it makes: the tables of an experiment, or its own name."""
+        """What a reader calls the outputs: the tables of an experiment, or the job's own name."""
         return csv_names(self.outputs) or [self.name]
 
     @property
     def data(self) -> list[str]:
-        """Names of the CSVs that it is made from."""
+        """Names of the CSVs from which the job is made."""
         return csv_names(self.depends)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reading results: a CSV with its sidecar, or a refusal."""
+"""Reads results: a CSV with its sidecar, or a refusal."""
 
 from pathlib import Path
 
@@ -11,12 +11,12 @@ LABELS_READ: dict[str, str] = {}  # of methods, from the sidecars read so far; t
 
 
 def as_text(csv: Path) -> pd.DataFrame:
-    """A table of ours, digit for digit."""
+    """A CSV of ours as text, digit for digit."""
     return pd.read_csv(csv, dtype=str, keep_default_na=False)
 
 
 def load(results: Path, name: str) -> pd.DataFrame:
-    """data/NAME.csv with its sidecar in attrs; yes and no become booleans."""
+    """data/NAME.csv, with its sidecar in attrs; yes and no become booleans."""
     csv = results / "data" / f"{name}.csv"
     record = sidecar(csv)
     table = pd.read_csv(csv, float_precision="round_trip")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Time against size on two logarithmic axes, ours and the thesis', with the slope of growth of each method.
+"""Draws time against size on two logarithmic axes, ours and the thesis', with the slope of growth of each method.
 """
 
 import math
@@ -18,7 +18,7 @@ def slope(x: pd.Series, y: pd.Series) -> float:
 
 
 def draw_method(axes: plt.Axes, lines: pd.DataFrame, key: str, look: dict) -> None:
-    """Median with its quartiles' spread; hollow where extrapolated."""
+    """Draws the median with the spread of its quartiles; hollow where extrapolated."""
     axes.errorbar(lines[key], lines.measured_ms, yerr=lines.iqr_ms / 2, fmt="none", ecolor=look["color"], capsize=3)
     axes.plot(lines[key], lines.measured_ms, color=look["color"], linestyle=look["linestyle"])
     for hollow, group in lines.groupby("extrapolated"):
@@ -34,7 +34,7 @@ def draw_method(axes: plt.Axes, lines: pd.DataFrame, key: str, look: dict) -> No
 
 
 def draw_thesis(axes: plt.Axes, lines: pd.DataFrame, key: str, look: dict) -> None:
-    """The thesis' times of the same method: grey, the same marker, thin."""
+    """Draws the thesis' times of the same method: grey, the same marker, thin."""
     lines = lines[np.isfinite(lines.thesis_ms)]
     axes.plot(
         lines[key],
@@ -51,8 +51,8 @@ def draw_thesis(axes: plt.Axes, lines: pd.DataFrame, key: str, look: dict) -> No
 
 
 def draw(lines: pd.DataFrame, key: str, ticks: dict[float, str], x_title: str, title: str) -> plt.Figure:
-    """Times over lines[key], which grows to the right. The whole figure; its legend gives each method's
-    exponent, from what was measured, and the thesis'.
+    """Draws times over lines[key], which grows to the right, as a whole figure. Its legend gives each method's exponent, from
+    measured times, and the thesis'.
     """
     figure, axes = plt.subplots(figsize=(0.46 * common.WIDTH, 3.4))
     looks = common.look(list(lines.method))

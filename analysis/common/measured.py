@@ -11,7 +11,7 @@ STORED = {"uint16": "16 bits", "float": "float", "double": "double"}
 
 
 def joined(results: Path, name: str, detail: str, keys: list[str]) -> pd.DataFrame:
-    """data/NAME.csv and data/DETAIL.csv, which have one row each for the same keys, with the first's sidecar in attrs."""
+    """data/NAME.csv joined with data/DETAIL.csv, which has the same keys. The first one's sidecar is in attrs."""
     main = common.load(results, name)
     table = main.merge(common.load(results, detail), on=keys, validate="one_to_one")
     if len(table) != len(main):
@@ -21,7 +21,7 @@ def joined(results: Path, name: str, detail: str, keys: list[str]) -> pd.DataFra
 
 
 def lines(table: pd.DataFrame, names: dict[str, str], stored: pd.Series | bool = True) -> pd.Series:
-    """What a reader calls each row: its method (as in names, or else its own name) and how its table is stored, where
+    """The name of each row for a reader: its method (from `names`, or else its own name) and how its table is stored, where
     `stored` says that it has one.
     """
     storage = table.storage.map(STORED).radd(", ").fillna("")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Entries and memory of a table of the thesis beside ours (Tables 2 and 7)."""
+"""Entries and memory of a table of the thesis, compared with ours (Tables 2 and 7)."""
 
 from pathlib import Path
 
@@ -40,8 +40,8 @@ def compare(results: Path, artefact: str) -> pd.DataFrame:
 
 
 def cells(line) -> list[str]:
-    """Entries and MiB of a line of compare(), thesis and here, MiB once a rim mask is beside the radii, and the most at a time
-    while it is filled as in the thesis.
+    """Entries and MiB of a row of compare(), for thesis and here; our MiB with a rim mask beside the radii; and the peak while
+    the table is filled as in the thesis.
     """
     return [
         f"{line.thesis_entries:,}",

@@ -38,18 +38,18 @@ LABELS = {"patient_a": "stand-in for patient A", "patient_b": "stand-in for pati
 
 
 def label(joint: str) -> str:
-    """The joint as a reader knows it."""
+    """The name of the joint for a reader."""
     return LABELS.get(joint, joint.replace("_", " "))
 
 
 def contacts(results: Path, centre: str = "head") -> pd.DataFrame:
-    """Limits by contact of the surfaces about one centre."""
+    """The limits by contact of the surfaces, about one centre."""
     table = common.load(results, "motion_limit_details")
     return table[table.gap_mm.isna() & (table.centre == centre)]
 
 
 def text(row) -> str:
-    """A limit as a reader reads it: tenths of a degree that nothing touches before; both ends after a graze."""
+    """A limit for a reader: tenths of a degree before which nothing touches; both ends after a graze."""
     if row.state == "free":
         return "free"
     if row.state == "blocked":
@@ -62,5 +62,5 @@ def text(row) -> str:
 
 
 def between(low: float, high: float) -> str:
-    """A proven interval, its ends rounded outward."""
+    """A proven interval with its ends rounded outward."""
     return f"{common.rounded_down(low, 1)} to {common.rounded_up(high, 1)}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sheets of pictures of a joint: title, letters of the body's directions and a scale bar in each, one legend below."""
+"""Sheets of pictures of a joint, each with a title, letters of the body's directions and a scale bar, above one legend."""
 
 from dataclasses import dataclass
 
@@ -29,12 +29,12 @@ class Panel:
 
 
 def take(title: str, actors: list, view: render.View) -> Panel:
-    """A picture of the actors."""
+    """Renders a picture of the actors."""
     return Panel(title, render.picture(actors, view), view)
 
 
 def draw(axes: plt.Axes, panel: Panel) -> None:
-    """One panel; points of the view's frame are at view.place() of its axes."""
+    """Draws one panel; a point of the view's frame is at view.place() of its axes."""
     axes.imshow(panel.image, interpolation="none")
     axes.set_title(panel.title, loc="center", fontsize=common.SMALL)
     axes.axis("off")
@@ -59,7 +59,7 @@ def draw(axes: plt.Axes, panel: Panel) -> None:
 
 
 def scale_bar(axes: plt.Axes, view: render.View) -> None:
-    """In the lower left corner: a length of 5, 10, 20 or 50 mm, about a fifth of the picture."""
+    """Draws a scale bar in the lower left corner: 5, 10, 20 or 50 mm, about a fifth of the picture."""
     length = min((5, 10, 20, 50), key=lambda mm: abs(mm - 0.4 * view.size))
     pixels = length / view.size * view.pixels / 2
     x, y = 0.03 * view.pixels, 0.965 * view.pixels
@@ -70,8 +70,8 @@ def scale_bar(axes: plt.Axes, view: render.View) -> None:
 def sheet(
     rows: list[list[Panel]], heading: str, legend: float = 0.55, titles: int = 1, width: float | None = None
 ) -> tuple[plt.Figure, np.ndarray]:
-    """Panels in rows below a heading; `legend` inches are kept free below them, and room for `titles` lines above each.
-    The axes have the shape of the rows. The width, inches, is by default that which the paper has room for.
+    """Panels in rows below a heading. `legend` inches are kept free below them, and room for `titles` lines above each. The
+    axes have the shape of the rows. The default width, in inches, is what the paper has room for.
     """
     columns = max(len(row) for row in rows)
     width = width or {1: 3.6, 2: 4.6}.get(columns, 7.0)
@@ -92,7 +92,7 @@ def sheet(
 
 
 def wrapped(figure: plt.Figure, text: str) -> str:
-    """Small text that ends in hip.WAYS, in three lines where the figure is too narrow for one."""
+    """Small text that ends in hip.WAYS; in three lines if the figure is too narrow for one."""
     if len(text) < 16 * figure.get_figwidth():
         return text
     return text.replace("      ", "\n").replace(", R and", ",\nR and")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Error against cost: which settings no other beats in both.
+"""Error against cost: the settings that no other setting beats in both.
 
 Everything is read from data/error_against_time.csv and error_against_time_spread.csv; no method, scheme or
 scene is named here.
@@ -34,13 +34,12 @@ def load(results: Path) -> pd.DataFrame:
 
 
 def main_scene(scenes) -> str:
-    """The scene to show where there is room for one: the first where the main one is missing."""
+    """The scene to show where there is room for one; the first scene if the main one is missing."""
     return MAIN_SCENE if MAIN_SCENE in set(scenes) else next(iter(scenes))
 
 
 def line_of(row) -> str:
-    """What the settings of one line of a plot share: the method, and how its table is stored or its library is
-    set.
+    """What the settings of one line of a plot have in common: the method, and how its table is stored or its library is set.
     """
     if row.storage not in ("none", "double"):
         return f"{row.method}, {row.storage}"
@@ -48,24 +47,24 @@ def line_of(row) -> str:
 
 
 def label(line: str) -> str:
-    """What a reader calls a line."""
+    """The name of a line for a reader."""
     method, *storage = line.split(", ")
     return ", ".join([common.label(method), *storage])
 
 
 def step_of(row) -> str:
-    """What tells one setting of a line from the next."""
+    """What distinguishes a setting of a line from the next."""
     return f"{row.precision_deg:g}°" if np.isfinite(row.precision_deg) else row.setting
 
 
 def competes(table: pd.DataFrame) -> pd.Series:
-    """Whether a row may stand on a front: it answers the question of all, the radius along a direction."""
+    """May a row be on a front? It may if it answers the common question, the radius along a direction."""
     return (table.measure == "radial") & np.isfinite(table.error_um)
 
 
 def front(error: np.ndarray, cost: np.ndarray) -> np.ndarray:
-    """Which points no other point is at least as good as in both, and better in one. Points that are the same in both
-    stand or fall together.
+    """The points that are not dominated: no other point is at least as good in both and better in one. Equal points are kept
+    or dropped together.
     """
     least = pd.Series(error).groupby(cost).min()  # in the order of the cost
     better = least[least < least.cummin().shift(fill_value=np.inf)]

@@ -32,7 +32,7 @@ class Mesh:
 
 
 def read(path: Path) -> Mesh:
-    """ASCII or binary, little or big endian; faces must be triangles."""
+    """Reads ASCII or binary PLY, little or big endian; faces must be triangles."""
     data = path.read_bytes()
     header, _, body = data.partition(b"end_header\n")
     lines = [line.split() for line in header.decode("ascii").splitlines()]
@@ -66,7 +66,7 @@ def read(path: Path) -> Mesh:
 
 
 def _ascii(body: bytes, names: list[str], counts: dict[str, int]) -> tuple[dict[str, np.ndarray], np.ndarray]:
-    """Vertices by property and triangles, from lines of numbers."""
+    """The vertices' properties and the triangles, from lines of numbers."""
     lines = body.decode("ascii").splitlines()
     rows = np.array([line.split() for line in lines[: counts["vertex"]]], dtype=float)
     faces = np.array(

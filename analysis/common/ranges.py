@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ranges of what is measured, over rounds, stand-ins and readings, and what may be said of a whole range.
+"""Ranges of measured quantities, over rounds, stand-ins and readings, and judgements on a whole range.
 
-Where a judgement is True, False or None, None means that the range does not decide it.
+A judgement is True, False or None; None means that the range does not decide it.
 """
 
 import math
@@ -21,7 +21,7 @@ ONCE = 2.0  # how far off, either way, a time may be that was taken once
 
 @dataclass(frozen=True)
 class Range:
-    """From low to high."""
+    """A range from low to high."""
 
     low: float
     high: float
@@ -30,38 +30,38 @@ class Range:
         return Range(self.low / other.high, self.high / other.low)
 
     def widened(self, factor: float) -> "Range":
-        """Of a quantity above 0, by the factor both ways."""
+        """The range of a positive quantity, widened by the factor both ways."""
         return Range(self.low / factor, self.high * factor)
 
     def within(self, least: float, most: float) -> bool | None:
-        """Whether all of it is from least to most."""
+        """Is all of it between least and most?"""
         if least <= self.low and self.high <= most:
             return True
         return False if self.high < least or most < self.low else None
 
 
 def union(ranges: Iterable[Range]) -> Range:
-    """The least that holds all."""
+    """The smallest range that holds all."""
     ranges = list(ranges)
     return Range(min(one.low for one in ranges), max(one.high for one in ranges))
 
 
 def all_of(judgements: Iterable[bool | None]) -> bool | None:
-    """True or False if every one is."""
+    """True or False if all judgements are so, else None."""
     found = set(judgements)
     return found.pop() if len(found) == 1 else None
 
 
 def both(one: bool | None, other: bool | None) -> bool | None:
-    """Whether both hold."""
+    """Do both hold?"""
     if False in (one, other):
         return False
     return None if None in (one, other) else True
 
 
 def time_range(time: float, spread: float, rounds: int) -> Range:
-    """Of the median of a time over its rounds, from its interquartile range (the notch of McGill, Tukey and Larsen 1978, doi:10.1080/
-    00031305.1978.10479236); of a single round, which has no spread, a factor.
+    """The range of a median time over its rounds, from its interquartile range (the notch of McGill, Tukey and Larsen 1978,
+    doi:10.1080/00031305.1978.10479236). A single round has no spread and gets a factor.
     """
     if rounds < 2:
         return Range(time, time).widened(ONCE)
@@ -70,8 +70,8 @@ def time_range(time: float, spread: float, rounds: int) -> Range:
 
 
 def slope_range(x: Iterable[float], y: Iterable[Range]) -> Range:
-    """Of the exponent of the power law that fits best in logarithms: the ranges err by themselves, and a machine may favour one
-    end of the sizes.
+    """The range of the exponent of the power law that fits best in logarithms. Each range errs by itself, and a machine may
+    favour one end of the sizes.
     """
     logs, y = [math.log(value) for value in x], list(y)
     mean = sum(logs) / len(logs)
@@ -83,8 +83,8 @@ def slope_range(x: Iterable[float], y: Iterable[Range]) -> Range:
 
 
 def steadied(table: pd.DataFrame, kept: Path, keys: list[str], noted: str) -> pd.DataFrame:
-    """The rows, with the range of the kept run added to each that was measured by the same rule there: where that run came
-    to another verdict, neither is one, and the column `noted` says so.
+    """The rows, each with the range of the kept run added if the kept run measured it by the same rule. If that run came to
+    another verdict, the verdict is inconclusive, and the column `noted` says so.
     """
     if not kept.is_file():
         return table

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of meshes and points by VTK: what every render shares."""
+"""Pictures of meshes and points by VTK: what all renders share."""
 
 import contextlib
 import os
@@ -24,8 +24,8 @@ PIXELS = 900  # a side of one view, if it does not say otherwise
 
 @dataclass(frozen=True)
 class View:
-    """A camera without perspective that looks along `towards` at `focus`; `size` (mm) is from the middle of the
-    picture to its border, `pixels` a side of it.
+    """A camera without perspective that looks along `towards` at `focus`. `size` (mm) is from the middle of the picture to its
+    border; a side of the picture has `pixels`.
     """
 
     focus: np.ndarray
@@ -44,7 +44,8 @@ class View:
 
 
 def framed(points: np.ndarray, towards: np.ndarray, up: np.ndarray, share: float, pixels: int = PIXELS) -> View:
-    """The view of the points; from its middle to its border are `share` of their larger extent across. Unit vectors."""
+    """A view of the points; the distance from its middle to its border is `share` of their larger extent across. Directions
+    are unit vectors."""
     frame = np.array([np.cross(towards, up), up, towards])
     seen = points @ frame.T
     low, high = seen.min(axis=0), seen.max(axis=0)
@@ -53,8 +54,8 @@ def framed(points: np.ndarray, towards: np.ndarray, up: np.ndarray, share: float
 
 @dataclass(frozen=True)
 class Shades:
-    """Colours (n, 3) from 0 to 1, evenly over the limits of a number; that of no number. Beyond, the first and the
-    last hold.
+    """Colours (n, 3) from 0 to 1, evenly spaced over the limits of a number, and the colour of no number. Beyond the limits
+    the first or the last colour is used.
     """
 
     rgb: np.ndarray
@@ -63,7 +64,7 @@ class Shades:
 
 
 def _data(vertices: np.ndarray, cells: np.ndarray) -> tuple[vtkPolyData, vtkCellArray]:
-    """Points for VTK, and cells of the same number of corners each, (n, corners)."""
+    """The points for VTK, with cells (n, corners) that all have the same number of corners."""
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(vertices), deep=True))
     array = vtkCellArray()
@@ -90,7 +91,7 @@ def polydata(mesh: ply.Mesh) -> vtkPolyData:
 
 
 def surface(mapper: vtkPolyDataMapper, opacity: float = 1.0) -> vtkActor:
-    """A surface lit alike on both sides."""
+    """A surface that is lit in the same way on both sides."""
     thing = vtkActor()
     thing.SetMapper(mapper)
     look = thing.GetProperty()
@@ -102,7 +103,7 @@ def surface(mapper: vtkPolyDataMapper, opacity: float = 1.0) -> vtkActor:
 
 
 def scalar_surface(mesh: ply.Mesh, values: np.ndarray, shades: Shades, opacity: float = 1.0) -> vtkActor:
-    """The mesh in the colours of a number a vertex, interpolated before it is coloured."""
+    """The mesh in the colours of one number per vertex, which is interpolated before it is coloured."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(len(shades.rgb))
     for i, colour in enumerate(shades.rgb):
@@ -121,7 +122,7 @@ def scalar_surface(mesh: ply.Mesh, values: np.ndarray, shades: Shades, opacity: 
 def plain_surface(
     mesh: ply.Mesh, colour: tuple[float, float, float], edges: bool = False, opacity: float = 1.0
 ) -> vtkActor:
-    """The mesh in one colour, its edges drawn if that is asked for."""
+    """The mesh in one colour; its edges are drawn if asked for."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(polydata(mesh))
     thing = surface(mapper, opacity)
@@ -133,7 +134,7 @@ def plain_surface(
 
 
 def _unlit(data: vtkPolyData, colour: tuple[float, float, float]) -> vtkActor:
-    """Points or lines of one colour, without light."""
+    """Points or lines in one colour, without light."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(data)
     mapper.ScalarVisibilityOff()
@@ -146,7 +147,7 @@ def _unlit(data: vtkPolyData, colour: tuple[float, float, float]) -> vtkActor:
 
 
 def dots(points: np.ndarray, colour: tuple[float, float, float], size: float) -> vtkActor:
-    """Round points of one colour, `size` pixels wide, without light."""
+    """Round points in one colour, `size` pixels wide, without light."""
     data, vertices = _data(points, np.arange(len(points), dtype=np.int64)[:, None])
     data.SetVerts(vertices)
     thing = _unlit(data, colour)
@@ -156,7 +157,7 @@ def dots(points: np.ndarray, colour: tuple[float, float, float], size: float) ->
 
 
 def rings(curves: list[np.ndarray], colour: tuple[float, float, float], width: float) -> vtkActor:
-    """Closed curves through points (n, 3) each, `width` pixels wide, without light."""
+    """Closed curves, each through points (n, 3), `width` pixels wide, without light."""
     starts = np.cumsum([0] + [len(curve) for curve in curves[:-1]])
     pairs = [
         start + np.column_stack([np.arange(len(curve)), np.roll(np.arange(len(curve)), -1)])
@@ -170,7 +171,7 @@ def rings(curves: list[np.ndarray], colour: tuple[float, float, float], width: f
 
 
 def picture(actors: list[vtkActor], view: View) -> np.ndarray:
-    """One view, as an image."""
+    """Renders one view as an image."""
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     for thing in actors:
@@ -197,16 +198,14 @@ def picture(actors: list[vtkActor], view: View) -> np.ndarray:
 
 
 def upwards(axes: str, axis: np.ndarray) -> np.ndarray:
-    """Where superior is, from a text such as RAS; another direction where the socket's axis runs that way
-    itself.
-    """
+    """The direction superior from a text such as RAS; another direction if the socket's axis runs along it."""
     up = np.array([{"S": 1.0, "I": -1.0}.get(end, 0.0) for end in axes])
     return up if abs(up @ axis) < 0.9 else np.roll(up, 1)
 
 
 @contextlib.contextmanager
 def screen():
-    """A screen for OpenGL: the one that is there, or Xvfb for as long as it is needed."""
+    """A screen for OpenGL: the existing one, or Xvfb for as long as it is needed."""
     if os.environ.get("DISPLAY"):
         yield
         return

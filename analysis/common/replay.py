@@ -21,7 +21,7 @@ MOTIONS = {
 
 
 def clock(hours: float) -> str:
-    """1:30 for 1.5; 0 is 12:00."""
+    """Turns 1.5 into 1:30; 0 is 12:00."""
     minutes = round(hours * 60) % 720
     return f"{minutes // 60 or 12}:{minutes % 60:02d}"
 
@@ -32,7 +32,7 @@ def zones(table: pd.DataFrame) -> str:
 
 
 def union(table: pd.DataFrame) -> str:
-    """Where any of the zones is, clockwise from 12; they begin and end at quarters of an hour."""
+    """The union of the zones, clockwise from 12; zones begin and end at quarters of an hour."""
     filled = np.zeros(QUARTERS, dtype=bool)
     for row in table.itertuples():
         count = round((row.to_hours - row.from_hours) % 12 * 4) or QUARTERS
@@ -57,6 +57,6 @@ def end_zones(results: Path, joint: str) -> pd.DataFrame:
 
 
 def neutral_zones(results: Path, joint: str) -> pd.DataFrame:
-    """Zones of the socket in the pose as modelled."""
+    """Zones of the socket in the modelled pose."""
     table = common.load(results, "motion_zones")
     return table[(table.joint == joint) & (table.motion == "neutral") & (table.surface == "socket")]

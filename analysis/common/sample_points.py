@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The points of a socket that the two tables of the thesis sample, and the view in which Figures 49 and 50 show
-them.
+"""The points of a socket that the two tables of the thesis sample, and the view that Figures 49 and 50 show.
 """
 
 from pathlib import Path
@@ -19,7 +18,7 @@ LIFT = 0.15  # mm by which points stand before the surface, so that they are not
 
 
 def load(results: Path, joint: str) -> pd.DataFrame:
-    """Columns scheme, entry, x, y, z of one joint."""
+    """Columns scheme, entry, x, y, z for one joint."""
     if joint == GENERATED:
         return common.load(results, "sample_points")
     points = common.load(results, "sample_points_bones")
@@ -27,18 +26,18 @@ def load(results: Path, joint: str) -> pd.DataFrame:
 
 
 def of_scheme(points: pd.DataFrame, scheme: str) -> np.ndarray:
-    """The points (n, 3), mm."""
+    """The points (n, 3) of one scheme, mm."""
     return points.loc[points.scheme == scheme, ["x", "y", "z"]].to_numpy()
 
 
 def pole(points: pd.DataFrame) -> np.ndarray | None:
-    """The point at phi = 0, the first entry of either table; none where there is no surface."""
+    """The point at phi = 0, the first entry of either table; none if there is no surface."""
     first = points.loc[points.entry == 0, ["x", "y", "z"]]
     return first.iloc[0].to_numpy() if len(first) else None
 
 
 def inside_view(socket: ply.Mesh, summary: dict) -> render.View:
-    """Into the socket, as the ball sees it, tilted towards what is above: there a hip is impinged."""
+    """The view into the socket, as the ball sees it, tilted towards its upper part, where a hip is impinged."""
     centre = np.array([summary["centre"][axis] for axis in "xyz"])
     axis = socket.vertices.mean(axis=0) - centre
     axis /= np.linalg.norm(axis)
@@ -49,5 +48,5 @@ def inside_view(socket: ply.Mesh, summary: dict) -> render.View:
 
 
 def dots(points: np.ndarray, view: render.View, size: float, colour=GREEN):
-    """The points just before the surface on which they lie."""
+    """The points, just in front of the surface on which they lie."""
     return render.dots(points - LIFT * view.towards, colour, size)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @data      scene_needs
-"""What one question needs beside all of them and beside other libraries, from data/scene_needs.csv: a row a joint, question and way."""
+"""What one question needs, compared with all of them and with other libraries, from data/scene_needs.csv: a row per joint,
+question and way."""
 
 from pathlib import Path
 
@@ -19,7 +20,7 @@ QUESTIONS = {
 
 
 def load(results: Path) -> pd.DataFrame:
-    """With the label of each way, `peak_MB`, `touched_MB`, and `of_all`: processor time over that of everything."""
+    """The rows with the label of each way, `peak_MB`, `touched_MB`, and `of_all`: processor time over that of everything."""
     table = common.load(results, "scene_needs")
     table["label"] = table.way.map(common.label)
     for name in ("peak", "touched"):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the figures of sampling schemes share: one row a scheme, values off the scale, spheres side by side.
+"""What the figures of sampling schemes share: one row per scheme, values off the scale, and spheres side by side.
 
-No scheme is named here but the reference, the thesis' own first table.
+No scheme is named here but the reference, which is the thesis' own first table.
 """
 
 import math
@@ -22,12 +22,12 @@ FLOOR_TEXT = r"no scheme can do better: $8\pi/(3\sqrt{3})$ = " + f"{FLOOR:.3f}"
 
 
 def reach(values: pd.Series) -> float:
-    """The largest value worth a place on a linear axis: others, beyond three medians, are only named."""
+    """The largest value that is drawn on a linear axis. Larger ones, beyond three medians, are only written."""
     return float(values[values <= 3 * values.median()].max())
 
 
 def rows(axes: plt.Axes, names: list[str]) -> np.ndarray:
-    """One row a scheme, the first at the top; its places."""
+    """Gives each scheme a row, the first at the top; returns the rows' places."""
     places = np.arange(len(names))
     axes.set_yticks(places, names)
     axes.set_ylim(len(names) - 0.4, -0.6)
@@ -39,8 +39,8 @@ def rows(axes: plt.Axes, names: list[str]) -> np.ndarray:
 def dots(
     axes: plt.Axes, values: dict[str, pd.Series], span: tuple[float, float], names: dict[str, str], apart: float
 ) -> None:
-    """A marker a row for each series, `apart` rows from one another; names are those of the legend. What is
-    beyond the span is written at its edge, in the order of the legend.
+    """Draws a marker per scheme for each series, `apart` rows from one another; `names` are for the legend. A value beyond the
+    span is written at its edge, in the order of the legend.
     """
     middle = (len(values) - 1) / 2
     for k, (name, look) in enumerate(common.look(list(values)).items()):
@@ -128,7 +128,7 @@ def _offsets() -> list[tuple[float, float]]:
 def panels(
     title: str, names: dict[str, str], draw: Callable[[plt.Axes, str], None], size: tuple[float, float]
 ) -> plt.Figure:
-    """A picture a scheme under its label, five a line; draw(axes, scheme) fills one. Sizes are inches."""
+    """A picture per scheme under its label, five in a row; draw(axes, scheme) fills one. Sizes are in inches."""
     columns = 5
     lines = math.ceil(len(names) / columns)
     figure, grid = plt.subplots(lines, columns, figsize=(columns * size[0], lines * size[1]), squeeze=False)

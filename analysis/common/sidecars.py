@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The record beside a CSV, which vouches for its bytes. Standard library only."""
+"""The record beside a CSV vouches for its bytes. Standard library only."""
 
 import hashlib
 import io
@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 class Refused(Exception):
-    """A result that cannot be trusted, or is not there; the message says which file and what to do."""
+    """A result is missing or cannot be trusted; the message says which file and what to do."""
 
 
 def digest(content: bytes | Path) -> str:
@@ -18,7 +18,7 @@ def digest(content: bytes | Path) -> str:
 
 
 def sidecar(csv: Path) -> dict:
-    """The record beside a CSV; refused unless it carries the SHA-256 of these bytes."""
+    """The record beside a CSV. Refused unless it has the SHA-256 of the CSV's bytes."""
     path = csv.with_suffix(".json")
     remedy = f"remove {csv.name} and run experiments/reproduce again"
     if not csv.is_file():

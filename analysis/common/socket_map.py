@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The surface of a socket unrolled: the angle from its pole outwards, the hours of its clock round, as seen from
-medial. The rim, where hips impinge, is edge-on in every view of the surface itself.
+"""The surface of a socket unrolled, seen from medial: the angle from its pole goes outwards, the hours of its clock go round. The
+rim, where hips are impinged, is edge-on in every view of the surface itself.
 """
 
 from dataclasses import dataclass
@@ -19,14 +19,14 @@ LARGEST = 106.0  # degrees from the pole, where the map ends
 
 @dataclass(frozen=True)
 class SocketMap:
-    """For each pixel the corners (3) and weights (3) of the face that it shows, and whether there is one."""
+    """For each pixel the corners (3) and weights (3) of the face that it shows, and whether it shows one."""
 
     corners: np.ndarray
     weights: np.ndarray
     inside: np.ndarray
 
     def image(self, gap: np.ndarray, shades: render.Shades) -> np.ndarray:
-        """Pixels (n, n, 3) in the colours of the gap of the vertices."""
+        """Pixels (n, n, 3) in the colours of the vertices' gaps."""
         found = np.einsum("ijk,ijk->ij", gap[self.corners], self.weights)
         low, high = shades.limits
         place = (np.nan_to_num(found, nan=low) - low) / (high - low) * len(shades.rgb)
@@ -36,14 +36,14 @@ class SocketMap:
 
 
 def place(hours: np.ndarray, polar_deg: np.ndarray, joint: hip.Hip) -> np.ndarray:
-    """Points (..., 2) of the map, right and up, 1 at its end. The medial view has 3 o'clock left on a right hip."""
+    """Points (..., 2) of the map, right and up, 1 at its end. In the medial view of a right hip 3 o'clock is on the left."""
     angle = np.asarray(hours) * np.pi / 6
     radius = np.asarray(polar_deg) / LARGEST
     return np.stack([-joint.outwards * radius * np.sin(angle), radius * np.cos(angle)], axis=-1)
 
 
 def unroll(joint: hip.Hip, pixels: int) -> SocketMap:
-    """The map of a socket, some pixels wide and high."""
+    """The map of a socket, `pixels` wide and high."""
     dial = hip.dial(joint)
     pole = np.cross(dial.twelve, dial.three)
     pole *= np.sign((joint.socket.vertices @ pole).mean())
@@ -63,7 +63,7 @@ def unroll(joint: hip.Hip, pixels: int) -> SocketMap:
 
 
 def draw(axes: plt.Axes, image: np.ndarray, joint: hip.Hip, title: str = "") -> None:
-    """The image with its hours, and circles at 30, 60 and 90 degrees from the pole."""
+    """Draws the image with its hours, and circles at 30, 60 and 90 degrees from the pole."""
     axes.imshow(image, extent=(-1, 1, -1, 1), interpolation="none")
     for polar in (30.0, 60.0, 90.0):
         axes.plot(*place(np.linspace(0, 12, 121), np.full(121, polar), joint).T, color=FAINT, linewidth=0.5)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How far the surface of a ball is from the sphere fitted to it, and its colours: what Figures 38, 39, 60 and 61
-share. From data/head_maps.csv and data/head_maps/NAME.ply.
+"""How far the surface of a ball is from the sphere that was fitted to it, with colours: what Figures 38, 39, 60 and 61 share. From
+data/head_maps.csv and data/head_maps/NAME.ply.
 """
 
 from dataclasses import dataclass, replace
@@ -29,7 +29,7 @@ def edges() -> np.ndarray:
 
 
 def colours() -> ScalarMappable:
-    """Blue inside the sphere, red outside, pale at it; the ends hold all that is beyond."""
+    """Blue inside the sphere, red outside, pale on it; the ends hold everything beyond."""
     count = len(edges()) + 1
     shades = ListedColormap(matplotlib.colormaps["RdBu_r"](np.linspace(0.03, 0.97, count)))
     norm = BoundaryNorm(edges(), count, extend="both")
@@ -38,8 +38,8 @@ def colours() -> ScalarMappable:
 
 @dataclass(frozen=True)
 class HeadMap:
-    """A ball in the joint frame about the centre of its sphere; of each vertex the distance from the sphere (mm,
-    outwards positive) and whether it was fitted; and the row of head_maps.csv.
+    """A ball in the joint frame about the centre of its sphere. Each vertex has its distance from the sphere (mm, positive
+    outside) and whether it was fitted. With the row of head_maps.csv.
     """
 
     ball: ply.Mesh
@@ -49,7 +49,7 @@ class HeadMap:
 
 
 def load(results: Path, joint: hip.Hip) -> HeadMap:
-    """Of the ball of a joint as scanned or modelled."""
+    """The map of a joint's ball, as scanned or modelled."""
     table = common.load(results, "head_maps").set_index("joint")
     mesh = ply.read(results / "data" / "head_maps" / f"{joint.name}.ply")
     turned = hip.to_joint(mesh.vertices, {**joint.summary, "centre": dict.fromkeys("xyz", 0.0)})
@@ -67,7 +67,7 @@ def coloured(head: HeadMap) -> vtkActor:
 
 @dataclass(frozen=True)
 class Region:
-    """Where the ball rises above the sphere most: its middle, the largest deviation there, and how far it reaches."""
+    """The region in which the ball rises most above the sphere: its middle, the largest deviation, and its extent."""
 
     middle: np.ndarray  # on the surface, mm
     most: float  # mm
@@ -75,7 +75,7 @@ class Region:
 
 
 def excess(head: HeadMap) -> Region | None:
-    """The largest region of EXCESS or more that is not of the neck; none where there is none."""
+    """The largest region with a deviation of EXCESS or more that does not belong to the neck; none if there is none."""
     off = head.deviation
     share = off / head.fit.radius_mm
     area = vertex_areas(head.ball)
@@ -104,7 +104,7 @@ def vertex_areas(mesh: ply.Mesh) -> np.ndarray:
 
 
 def colour_bar(figure) -> None:
-    """Below the panels, with what the letters in them mean."""
+    """Draws the bar of colours below the panels, with the meaning of the letters in them."""
     height = figure.get_size_inches()[1]
     axes = figure.add_axes([0.2, 0.45 / height, 0.6, 0.12 / height])
     bar = figure.colorbar(colours(), cax=axes, orientation="horizontal", extend="both", extendfrac="auto")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The unit sphere seen from far away, shaded, with lines and points on it: what is behind it is drawn faintly."""
+"""The unit sphere seen from far away, shaded, with lines and points on it; what is behind it is drawn faintly."""
 
 import math
 
@@ -11,7 +11,7 @@ LIGHT = np.array([-0.45, 0.55, 0.70])  # from the left, above and in front, in t
 
 
 def view(elevation_deg: float, azimuth_deg: float) -> np.ndarray:
-    """Rows: right, up and towards the eye, of an eye above the azimuth given; +z is up."""
+    """Rows right, up and towards the eye, for an eye above this azimuth; +z is up."""
     elevation, azimuth = math.radians(elevation_deg), math.radians(azimuth_deg)
     towards = np.array(
         [math.cos(elevation) * math.cos(azimuth), math.cos(elevation) * math.sin(azimuth), math.sin(elevation)]
@@ -21,7 +21,7 @@ def view(elevation_deg: float, azimuth_deg: float) -> np.ndarray:
 
 
 def draw_sphere(axes: plt.Axes) -> None:
-    """A pale ball, so that lines on it stay readable."""
+    """Draws a pale ball on which lines stay readable."""
     at = np.linspace(-1, 1, SHADES)
     x, y = np.meshgrid(at, at)
     inside = x**2 + y**2 <= 1
@@ -35,7 +35,7 @@ def draw_sphere(axes: plt.Axes) -> None:
 
 
 def draw_line(axes: plt.Axes, points: np.ndarray, eye: np.ndarray, **look) -> None:
-    """A polyline of points (n, 3) on the sphere; look is that of the part in front."""
+    """Draws a polyline of points (n, 3) on the sphere; `look` is for the part in front."""
     seen = points @ eye.T
     front = seen[:, 2] >= 0
     reached = front.copy()  # and the first point behind on either side, so that no gap is left
@@ -47,7 +47,7 @@ def draw_line(axes: plt.Axes, points: np.ndarray, eye: np.ndarray, **look) -> No
 
 
 def draw_points(axes: plt.Axes, points: np.ndarray, eye: np.ndarray, **look) -> None:
-    """Markers at points (n, 3) of the sphere; look is that of those in front."""
+    """Draws markers at points (n, 3) of the sphere; `look` is for those in front."""
     seen = points @ eye.T
     front = seen[:, 2] >= 0
     look = {"linestyle": "none", **look}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What figures and tables of stability share: the rows of data/stability.csv with those of its details, and
-who is drawn as one line.
+"""What figures and tables of stability share: the rows of data/stability.csv with their details, and which cases are drawn as
+one line.
 """
 
 from pathlib import Path
@@ -38,7 +38,7 @@ COLUMNS = [*OURS, *STEPS.values(), *dict.fromkeys(OTHERS.values())]
 
 
 def load(results: Path) -> pd.DataFrame:
-    """One row a case; `who` is the column of the overview that it belongs to, none of what is wrong on purpose."""
+    """One row per case; `who` is its column in the overview, none for methods that are wrong on purpose."""
     cases = measured.joined(results, "stability", "stability_detail", KEY)
     cases["who"] = cases.method.map(OTHERS)
     steps = cases.kind == "steps"
@@ -53,7 +53,7 @@ def load(results: Path) -> pd.DataFrame:
 
 
 def families(results: Path) -> pd.DataFrame:
-    """One row a family, by its name."""
+    """One row per family, by its name."""
     return common.load(results, "stability_families").set_index("family")
 
 
@@ -63,8 +63,8 @@ def magnitudes(cases: pd.DataFrame) -> list[float]:
 
 
 def bounds(cases: pd.DataFrame) -> pd.Series:
-    """What the proven bound of each case comes to: held, broken, infinite, or held against no look-up at all.
-    Empty where none is claimed."""
+    """The result of each case's proven bound: held, broken, infinite, or not tested by any look-up. Empty if no bound is
+    claimed."""
     said = cases.bound_holds.map({True: "held", "yes": "held", False: "broken", "no": "broken"})
     said[(cases.bound_um.notna() | (cases.withheld > 0)) & cases.error_um.isna() & cases.bound_holds.isna()] = "unanswered"
     said[np.isinf(cases.bound_um)] = "infinite"
@@ -72,7 +72,7 @@ def bounds(cases: pd.DataFrame) -> pd.Series:
 
 
 def overview(cases: pd.DataFrame) -> pd.DataFrame:
-    """asked, wrong and silent (withheld, without a finite bound, or refused) of each family and column."""
+    """For each family and column the counts asked, wrong and silent (withheld, without a finite bound, or refused)."""
     return cases.dropna(subset="who").groupby(["family", "who"])[["asked", "wrong", "silent"]].sum().astype(int)
 
 
@@ -80,17 +80,17 @@ STIFF = 1000  # a condition number above it
 
 
 def condition(cases: pd.DataFrame, family: str) -> float:
-    """The largest of a family."""
+    """The largest condition of a family."""
     return cases[cases.family == family].condition.max()
 
 
 def kind(number: float) -> str:
-    """Of a family with that condition number; what is not stiff is extreme by its parameter."""
+    """The kind of a family with that condition number; one that is not stiff is extreme by its parameter."""
     return "stiff" if number > STIFF else "extreme"
 
 
 def power(number: float) -> str:
-    """In the digits of a figure."""
+    """A power of ten, in the digits of a figure."""
     if number < 1e4:
         return common.digits(number)
     if number != number:

@@ -12,12 +12,12 @@ SHOWN = (0.1, 0.5, 2.0)
 
 
 def layers(results: Path) -> pd.DataFrame:
-    """One row a Poisson ratio and thickness."""
+    """One row per Poisson ratio and thickness."""
     return common.load(results, "strain_layer")
 
 
 def facts(results: Path) -> dict[str, str]:
-    """Numbers of the paper: strain:layer:POISSON:THICKNESS:pressure, by gap over the elastic one."""
+    """Numbers for the paper: strain:layer:POISSON:THICKNESS:pressure, the pressure by gap divided by the elastic one."""
     return {
         f"strain:layer:{row.poisson:g}:{row.thickness:g}:pressure": common.digits(row.pressure, 2)
         for row in layers(results).itertuples()

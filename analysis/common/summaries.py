@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What `impinge gaps` said of a pose, of which pictures are made."""
+"""The answers of `impinge gaps` for a pose, from which pictures are made."""
 
 import json
 from pathlib import Path
@@ -8,7 +8,7 @@ OPPOSITE = {"flexion": "extension", "abduction": "adduction", "internal_rotation
 
 
 def pose_words(motion: dict[str, float]) -> str:
-    """As it is typed, flexion=90,external_rotation=10; "as scanned" where nothing turns."""
+    """The pose as it is typed, flexion=90,external_rotation=10; "as scanned" if nothing turns."""
     words = [f"{name if angle > 0 else OPPOSITE[name]}={abs(angle):g}" for name, angle in motion.items() if angle]
     return ",".join(words) or "as scanned"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the verdicts count, what was computed and what was measured apart. Standard library only."""
+"""Counts verdicts, separately for computed and measured ones. Standard library only."""
 
 import collections
 from collections.abc import Iterable
@@ -17,7 +17,7 @@ def counts(rows: Iterable[dict[str, str]]) -> dict[str, collections.Counter[str]
 
 
 def said(rows: Iterable[dict[str, str]]) -> str:
-    """In a line: 44 computed (43 reproduced, 1 differs), 35 measured (...)."""
+    """The counts in a line: 44 computed (43 reproduced, 1 differs), 35 measured (...)."""
     parts = []
     for kind, found in counts(rows).items():
         words = ", ".join(f"{count} {name}" for name, count in found.most_common())

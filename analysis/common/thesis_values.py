@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @depends   analysis/common/{thesis_values,counterparts}.csv
-"""What the thesis prints, and which method of ours stands for which column of its tables."""
+"""What the thesis prints, and which method of ours represents which column of its tables."""
 
 import itertools
 from pathlib import Path
@@ -11,7 +11,7 @@ HERE = Path(__file__).resolve().parent
 
 
 def thesis(artefact: str | None = None) -> pd.DataFrame:
-    """The values that the thesis prints, as text: digits count. Columns artefact,row,column,value ..."""
+    """The values that the thesis prints, as text, since digits count. Columns artefact,row,column,value ..."""
     values = pd.read_csv(HERE / "thesis_values.csv", dtype=str, keep_default_na=False)
     return values if artefact is None else values[values.artefact == artefact]
 
@@ -22,14 +22,14 @@ def _counterparts(artefact: str) -> pd.DataFrame:
 
 
 def counterparts(artefact: str) -> dict[str, str]:
-    """The method of ours that stands for each column of a timing table of the thesis: of several, the first."""
+    """The method of ours for each column of a timing table of the thesis; the first one if there are several."""
     table = _counterparts(artefact)
     return dict(reversed([(column, method) for column, method in zip(table.thesis_column, table.method) if column]))
 
 
 def readings(artefact: str) -> list[dict[str, str]]:
-    """Every way to read such a table: the method that then stands for each column. The first is counterparts(). Readings of the
-    same columns exclude each other.
+    """Every way to read such a table: which method represents each column. The first is counterparts(). Readings of the same
+    columns exclude each other.
     """
     table = _counterparts(artefact)
     table = table[table.thesis_column != ""]
@@ -41,11 +41,11 @@ def readings(artefact: str) -> list[dict[str, str]]:
 
 
 def reading_names(artefact: str) -> dict[tuple[str, str], str]:
-    """What it means that a method stands for a column, where it could be another."""
+    """The meaning of each choice of a method for a column that another method could also represent."""
     table = _counterparts(artefact)
     return {(row.thesis_column, row.method): row.reading for row in table[::-1].itertuples() if row.reading}
 
 
 def methods_of(artefact: str) -> list[str]:
-    """The methods of ours that a timing table of the thesis shows: those that may stand for its columns, and those beside them."""
+    """Our methods that a timing table of the thesis shows: those that may represent its columns, and additional ones."""
     return list(_counterparts(artefact).method.unique())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A timing table of the thesis beside ours: times, and ratios to the thesis' own method, which is what can be
+"""A timing table of the thesis compared with ours: times, and their ratios to the thesis' own method, which can be
 compared.
 """
 
@@ -15,7 +15,7 @@ from common.ranges import Range, time_range
 
 @dataclass(frozen=True)
 class TimingTable:
-    """What tells one timing table from another."""
+    """What distinguishes a timing table from another."""
 
     artefact: str  # of the thesis
     data: str  # name of our CSV
@@ -35,15 +35,15 @@ REFERENCE = "rsid"  # the thesis' name of its own method: every ratio is to it
 
 
 def thesis_times(table: TimingTable) -> dict[tuple[float, str], float]:
-    """Milliseconds by row and by the thesis' column; NaN where it prints N/A."""
+    """The thesis' milliseconds by row and column; NaN where it prints N/A."""
     values = common.thesis(table.artefact)
     return {(common.number(v.row), v.column): common.number(v.value) for v in values.itertuples()}
 
 
 def compare(results: Path, table: TimingTable) -> pd.DataFrame:
     """One row for each row of the table, joint and method of ours: thesis and measured time, and both as ratios to the
-    reference. Methods without a counterpart in the thesis' table are there too. `size` is what times grow with: 1 / precision,
-    or the triangles of a model that the joint really has.
+    reference. Methods without a counterpart in the thesis' table are included. Times grow with `size`: 1 / precision, or the
+    number of triangles that the joint's model really has.
     """
     ours = common.load(results, table.data)
     theirs = thesis_times(table)
@@ -86,7 +86,7 @@ def spread(line: pd.Series) -> Range:
 
 
 def latex(lines: pd.DataFrame, table: TimingTable) -> str:
-    """Times above, ratios below; a dagger marks what is extrapolated from a smaller run."""
+    """Times above, ratios below; a dagger marks times that are extrapolated from a smaller run."""
     methods = list(dict.fromkeys(lines.method))
     with_thesis = set(lines.loc[lines.thesis_column != "", "method"])
     widths = [(_short(method), 2 if method in with_thesis else 1) for method in methods]
@@ -109,12 +109,12 @@ def latex(lines: pd.DataFrame, table: TimingTable) -> str:
 
 
 def row_title(table: TimingTable, key: float, joint: str) -> str:
-    """What a row is called, in LaTeX."""
+    """The name of a row, in LaTeX."""
     return table.row_format.format(key) + ("" if joint == GENERATED else f" ({common.tex(joint.replace('_', ' '))})")
 
 
 def _short(method: str) -> str:
-    """A heading that fits over two columns of numbers: broken at the comma."""
+    """A heading that fits over two columns of numbers, broken at the comma."""
     lines = common.label(method).split(", ")
     return lines[0] if len(lines) == 1 else "\\shortstack{" + "\\\\".join(lines) + "}"
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the table, the figure and the findings share about the motion volume: its times beside those of asking pose after
-pose. A grid of poses has the reach of the volume's finest cells; its time is extrapolated.
+"""What the table, the figure and the findings share about the motion volume: its times, compared with asking pose after pose. A
+grid of poses is as fine as the volume's finest cells; its time is extrapolated.
 """
 
 from pathlib import Path
@@ -16,15 +16,15 @@ SURE = 1.96  # standard deviations on either side hold 95 % of all draws
 
 
 def load(results: Path) -> pd.DataFrame:
-    """data/motion_volume.csv; `proven`, how far the ends are apart."""
+    """data/motion_volume.csv; `proven` is the distance of the ends."""
     table = common.load(results, "motion_volume")
     table["proven"] = table.high - table.low
     return table
 
 
 def beside(results: Path) -> pd.DataFrame:
-    """The rows of load() for each way to ask pose after pose of that joint: `line`, `poses_needed`, `needed_s`, and
-    `times`, those of the volume that this is.
+    """The rows of load() for each way to ask pose after pose on that joint, with `line`, `poses_needed`, `needed_s`, and
+    `times`, the ratio to the time of the volume.
     """
     methods = common.load(results, "motion_volume_methods")
     table = load(results).merge(methods, on="joint")
@@ -38,7 +38,7 @@ def beside(results: Path) -> pd.DataFrame:
 
 
 def duration(seconds: float) -> str:
-    """As a reader says it."""
+    """A duration for a reader."""
     for unit, length in (("d", 86400), ("h", 3600), ("min", 60)):
         if seconds >= 2 * length:
             return f"{common.digits(seconds / length, 2)} {unit}"

@@ -27,18 +27,18 @@ LABELS = {
 
 
 def label(name: str) -> str:
-    """What a reader calls a method or scheme."""
+    """The name of a method or scheme for a reader."""
     return LABELS.get(name) or LABELS_READ.get(name, name.replace("_", " "))
 
 
 def scheme_labels(results: Path) -> dict[str, str]:
-    """What a reader calls each scheme, from data/schemes.csv and in its order: schemes name themselves."""
+    """The name of each scheme for a reader, from data/schemes.csv and in its order; schemes name themselves."""
     table = load(results, "schemes")
     return dict(zip(table.scheme, table.label))
 
 
 def number(text: str) -> float:
-    """A row's name or a value as a number: 0.5deg, 12k, 300, 0.497; NaN for N/A."""
+    """The number in a row's name or a value: 0.5deg, 12k, 300, 0.497; NaN for N/A."""
     text = text.removesuffix("deg")
     if text == "N/A":
         return math.nan
@@ -46,7 +46,7 @@ def number(text: str) -> float:
 
 
 def digits(value: float, significant: int = 3) -> str:
-    """Rounded for reading: three significant digits, thousands kept apart by a comma."""
+    """A number rounded for reading: three significant digits, and a comma between thousands."""
     if not math.isfinite(value):
         return ""
     if value == 0:
@@ -56,29 +56,29 @@ def digits(value: float, significant: int = 3) -> str:
 
 
 def rounded_down(value: float, places: int) -> str:
-    """The low end of what is proven, as a reader sees it: no higher than it is."""
+    """The low end of a proven interval for a reader, never higher than it is."""
     return f"{outward(value, places, ROUND_FLOOR):f}"
 
 
 def rounded_up(value: float, places: int) -> str:
-    """A high end of what is proven, or a bound: no lower than it is."""
+    """The high end of a proven interval or a bound, never lower than it is."""
     return f"{outward(value, places, ROUND_CEILING):f}"
 
 
 def digits_up(value: float, significant: int = 3) -> str:
-    """As digits(), no lower than the value: a bound, or what is reached at most."""
+    """As digits(), but never below the value: for a bound or a maximum."""
     if not math.isfinite(value) or value == 0:
         return digits(value)
     return f"{outward(value, significant - 1 - math.floor(math.log10(abs(value))), ROUND_CEILING):,f}"
 
 
 def outward(value: float, places: int, rounding: str) -> Decimal:
-    """To that many places; zero without a sign."""
+    """A value rounded outward to so many decimals; zero has no sign."""
     return Decimal(repr(float(value))).quantize(Decimal(1).scaleb(-places), rounding) + 0
 
 
 def plain(value: float, significant: int = 4) -> str:
-    """Rounded for a CSV: significant digits without exponent or separators."""
+    """A number for a CSV: significant digits without exponent or separators."""
     return (
         np.format_float_positional(value, precision=significant, fractional=False, trim="-")
         if math.isfinite(value)
@@ -87,6 +87,6 @@ def plain(value: float, significant: int = 4) -> str:
 
 
 def tex(text: str) -> str:
-    """Text with LaTeX's own characters made harmless."""
+    """The text with LaTeX's special characters escaped."""
     special = {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
     return "".join(special.get(c, f"\\{c}" if c in "&%$#_{}" else c) for c in text)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Error against run time of all gaps of a pose, both scans, from data/all_gaps.csv: a row a scene, line and setting.
+"""Error against run time for all gaps of a pose, both scans, from data/all_gaps.csv: a row per scene, line and setting.
 
-The error is the worst gap of both scans in the poses of a motion: vertices of the ball against the socket, vertices of the socket
-against the ball. Times of poses are that of building both sides and so many times that of a pose.
+The error is the worst gap of both scans in the poses of a motion (vertices of the ball against the socket, and vertices of the
+socket against the ball). The time of n poses is that of building both sides plus n times that of one pose.
 """
 
 from pathlib import Path
@@ -43,9 +43,9 @@ PRECISION = 0.5  # degrees, of the ablation and of what is said in words
 
 
 def both_scans(results: Path) -> pd.DataFrame:
-    """A row a scene, method, setting and storage with `precision_deg`, largest `error_um` of a gap, `anywhere_um` of a radius in any
-    direction, and `bound_um`, sums over both scans of `build_ms`, `bytes` and `false_hits`, the time `pose_us` of a pose, and
-    `single_ns` of a vertex asked alone.
+    """A row per scene, method, setting and storage. Columns: `precision_deg`; the largest errors `error_um` of a gap and
+    `anywhere_um` of a radius in any direction; `bound_um`; sums over both scans of `build_ms`, `bytes` and `false_hits`; the
+    time `pose_us` of a pose; and the time `single_ns` of a vertex asked alone.
     """
     table = common.load(results, "all_gaps")
     drawn = table[table.state == "alone"].scene.unique()
@@ -72,7 +72,7 @@ def both_scans(results: Path) -> pd.DataFrame:
 
 
 def precision(setting: str) -> float:
-    """Degrees of a setting such as 0.5deg or n=180; nan of others."""
+    """Degrees for a setting such as 0.5deg or n=180, else nan."""
     if setting.startswith("n="):
         return 90 / int(setting[2:])
     return float(setting[:-3]) if setting.endswith("deg") else np.nan
@@ -94,12 +94,12 @@ def load(results: Path) -> pd.DataFrame:
 
 
 def degrees(rows: pd.DataFrame) -> list[float]:
-    """The precisions of the thesis' tables: those of every line."""
+    """The precisions of the thesis' tables; every line has them."""
     return list(rows[rows.line.isin(THESIS)].precision_deg.unique())
 
 
 def scenes(rows: pd.DataFrame) -> dict[str, str]:
-    """Which scene is shown as what: the hip, the generated pair, and a real hip if there is one."""
+    """The scenes that are shown: the hip, the generated pair, and a real hip if there is one."""
     found = {}
     for scene in rows.scene.unique():
         kind = "hip" if scene.startswith(fast.HIPS) else "generated" if scene.startswith("generated_") else "real"
@@ -118,13 +118,13 @@ def scene_title(scene: str) -> str:
 
 
 def fastest(rows: pd.DataFrame, column: str) -> pd.DataFrame:
-    """One point a line and setting: of Embree's rays the fastest."""
+    """One point per line and setting; of Embree's rays only the fastest."""
     embree = rows.line == "Embree"
     return pd.concat([rows[~embree], rows[embree].nsmallest(1, column)])
 
 
 def pays_from(table: pd.Series, tree: pd.Series) -> float:
-    """From how many poses on the table is done sooner than the tree, building included; infinite if never."""
+    """The number of poses from which the table is faster than the tree, building included; infinite if it never is."""
     gain = (tree.pose_us - table.pose_us) / 1e3
     lead = table.build_ms - tree.build_ms
     if gain <= 0:
@@ -133,7 +133,7 @@ def pays_from(table: pd.Series, tree: pd.Series) -> float:
 
 
 def ablation(results: Path) -> pd.DataFrame:
-    """The hip at half a degree: each step with its time, how many times as fast it is as the one before, error and memory."""
+    """The hip at half a degree: each step with its time, its speed relative to the step before, its error and its memory."""
     rows = both_scans(results)
     rows = rows[(rows.scene == scenes(rows)["hip"]) & (rows.precision_deg == PRECISION)].set_index(["method", "storage"])
     found = rows.loc[list(ABLATION.values())].reset_index()
@@ -152,7 +152,7 @@ def sentences(results: Path) -> dict[str, str]:
 
 
 def against_embree(own: pd.DataFrame) -> str:
-    """Where Embree beats the thesis' tables on both axes."""
+    """Where Embree beats the thesis' tables in both error and time."""
     thesis = own[own.line.isin(THESIS)]
     parts = []
     for column, words in {
@@ -168,13 +168,13 @@ def against_embree(own: pd.DataFrame) -> str:
     ends = dict.fromkeys(common.digits(error, 2) for error in (thesis.error_um.min(), thesis.error_um.max()))
     return (
         f"Embree errs by at most {common.digits(worst, 2)} µm, the thesis' tables of {max(degrees(own)):g}° to "
-        f"{min(degrees(own)):g}° by {' to '.join(ends)} µm. Of the {len(thesis)} of them it beats on both axes, building included: "
-        f"{', '.join(parts)}."
+        f"{min(degrees(own)):g}° by {' to '.join(ends)} µm. Of these {len(thesis)} tables it is both faster, building included, "
+        f"and more exact than {', '.join(parts)}."
     )
 
 
 def paying(own: pd.DataFrame) -> str:
-    """From how many poses on a table pays."""
+    """The number of poses from which a table pays."""
     tree = own[own.line == "Embree"].nsmallest(1, "thousand").iloc[0]
     parts = []
     for line in ("thesis, RSID", "RSID, vectors", "cube, 16 bits", "exact cells"):
@@ -183,11 +183,11 @@ def paying(own: pd.DataFrame) -> str:
         poses = pays_from(row, tree)
         name = line + (f" at {row.step}" if row.step else "")
         parts.append(f"{name}: {'never' if np.isinf(poses) else f'{poses:,.0f}'}")
-    return f"Number of poses from which on it is done sooner than Embree, building included: {'; '.join(parts)}."
+    return f"Building included, a table is done sooner than Embree from so many poses on: {'; '.join(parts)}."
 
 
 def bringing(steps: pd.DataFrame) -> str:
-    """What each step brings."""
+    """The gain of each step."""
     brought = [f"{row.step.removeprefix('+ ')} {common.digits(row.times, 2)}" for row in steps[1:-1].itertuples()]
     whole, last = steps.pose_us.iloc[0] / steps.pose_us.iloc[-2], steps.iloc[-1]
     return (

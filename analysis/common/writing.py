@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writing text and tables."""
+"""Writes text and tables."""
 
 import io
 import json
@@ -13,14 +13,14 @@ from common.sidecars import digest
 
 
 def write(path: Path, text: str) -> None:
-    """Writes a file whose folder may be missing."""
+    """Writes a file; makes its folder if it is missing."""
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8", newline="\n")
 
 
 def tabular(layout: str, head: list[str | list[str]], rows: list[str | list[str]]) -> str:
-    """A LaTeX table in the style of the paper; a line of head and rows is a list of cells, or text that ends in two
-    backslashes, or a rule, which may begin each group of rows.
+    """A LaTeX table in the style of the paper. Each line of head and rows is a list of cells, or text that ends in two
+    backslashes, or a rule, which may begin a group of rows.
     """
     rule = "\\midrule"
     head, rows = (
@@ -41,7 +41,7 @@ def tabular(layout: str, head: list[str | list[str]], rows: list[str | list[str]
 
 
 def ruled(rows: Iterable[list[str]]) -> list[str | list[str]]:
-    """The rows, with a rule before each group that begins alike; only the first of a group says how."""
+    """The rows, with a rule before each group of rows whose keys begin alike; only the first row of a group shows them."""
     lines, before = [], None
     for first, *rest in rows:
         if first != before:
@@ -52,7 +52,7 @@ def ruled(rows: Iterable[list[str]]) -> list[str | list[str]]:
 
 
 def groups(first: str, widths: list[tuple[str, int]]) -> tuple[str, list[str | list[str]]]:
-    """Layout and head of a table with a column `first` and under each title one column, ours, or two, the thesis' and ours."""
+    """Layout and head of a table: a column `first`, and under each title one column, ours, or two, the thesis' and ours."""
     spans, rules, titles, column = [], "", [], 2
     for title, width in widths:
         spans.append(f"\\multicolumn{{{width}}}{{c}}{{{title}}}")
@@ -71,7 +71,7 @@ NUMBER = re.compile(r"[<>~*†]?\s?-?\d[\d,]*(\.\d+)?(e[+-]?\d+)?\s?[%*†]?")
 
 
 def unit_of(name: str, column: pd.Series) -> str:
-    """Of a column of a table, once read again."""
+    """The unit of a column of a table that was read again."""
     if not pd.api.types.is_numeric_dtype(column):
         return ""
     words = name.replace(",", " ").replace("_", " ").split()
@@ -79,8 +79,8 @@ def unit_of(name: str, column: pd.Series) -> str:
 
 
 def columns_of(name: str, text: str) -> list[dict[str, str]]:
-    """Names and units of what pandas reads in a table. ValueError where it finds numbers that are written as text, with separators,
-    signs or units of their own.
+    """Names and units of the columns that pandas reads in a table. Raises ValueError if numbers are written as text, with
+    separators, signs or units.
     """
     table = pd.read_csv(io.StringIO(text))
     for column in table.select_dtypes(object):
@@ -91,7 +91,7 @@ def columns_of(name: str, text: str) -> list[dict[str, str]]:
 
 
 def write_table(out: Path, name: str, question: str, table: pd.DataFrame, latex: str) -> None:
-    """tables/NAME.csv for machines, its sidecar with units, and tables/NAME.tex for the paper."""
+    """Writes tables/NAME.csv for machines, its sidecar with units, and tables/NAME.tex for the paper."""
     flags = table.select_dtypes(bool).columns
     table = table.assign(**{flag: table[flag].map({True: "yes", False: "no"}) for flag in flags})
     text = table.to_csv(index=False, lineterminator="\n")

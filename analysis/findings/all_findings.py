@@ -5,7 +5,7 @@
 # @depends   results/reference/tables/findings.csv
 """Statements of the thesis, of the note that suspected it, and of other papers, that a computation confirms or refutes.
 
-Each module of MODULES has a function a statement, which returns a Finding; every number in them comes from data/NAME.csv.
+Each module of MODULES has a function for each statement, which returns a Finding; every number in them comes from data/NAME.csv.
 """
 
 import re
@@ -20,7 +20,7 @@ from findings import baselines, claims, conchoid, finding, grid, helix, motion, 
 KEPT = Path(__file__).resolve().parents[2] / "results" / "reference" / "tables" / "findings.csv"
 MODULES = (grid, baselines, helix, conchoid, slips, claims, note, motion)  # the thesis from front to back, the note, others
 
-HEAD = r"""\begin{longtable}{@{}r>{\raggedright\arraybackslash}p{16mm}>{\raggedright\arraybackslash}p{50mm}
+HEAD = r"""\begin{longtable}{@{}r>{\raggedright\arraybackslash}p{19mm}>{\raggedright\arraybackslash}p{47mm}
   >{\raggedright\arraybackslash}p{82mm}l@{}}
   \caption{Statements, and what was computed about them.}\label{tab:findings}\\
   \toprule
@@ -59,23 +59,23 @@ def mathematical(text: str) -> str:
         "floor(T / dx)": "$\\lfloor T/\\Delta x\\rfloor$",
         "own dx": "own $\\Delta x$",
         "n - 1": "$n-1$",
-        " x ": "\\,$\\times$\\,",
     }.items():
         text = text.replace(plain, latex_text)
+    text = re.sub(r"(?<=\d) x (?=\d)", r"\\,$\\times$\\,", text)
     text = re.sub(r"(?<![\w-])-(?=\d)", "$-$", text)
     return re.sub(r"(\d(?:\.\d+)?)e([+-])0?(\d+)", lambda m: f"${m[1]}\\cdot10^{{{m[2].strip('+')}{m[3]}}}$", text)
 
 
 def latex(rows: pd.DataFrame) -> str:
-    """What does not hold, as a table over several pages: its head is repeated. The CSV has all."""
+    """The statements that do not hold, as a table over several pages whose head is repeated. The CSV has all."""
     body = []
     for row in rows[rows.verdict.isin(["wrong", "misprint"])].itertuples():
         source = f"~\\cite{{{row.source}}}" if row.source else ""
         body.append(
-            f"{row.number} & {mathematical(row.where)} & {mathematical(row.claim)} & "
+            f"{row.number} & {mathematical(row.where.replace('Section ', 'Sec. '))} & {mathematical(row.claim)} & "
             f"{mathematical(row.computed)}{source} & {row.verdict} \\\\"
         )
-    return "\n".join([HEAD, "\\addlinespace[2pt]\n".join(line + "\n" for line in body), "\\end{longtable}", ""])
+    return "\n".join([HEAD, "\\addlinespace[1pt]\n".join(line + "\n" for line in body), "\\end{longtable}", ""])
 
 
 common.run(main)

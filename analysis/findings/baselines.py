@@ -20,7 +20,7 @@ EXACT_UM = 1  # micrometres: nearer to the surface than any table of the thesis
 
 
 def grid_memory() -> Finding:
-    """Section 2.2.2."""
+    """Memory of a grid (Section 2.2.2)."""
     size = 1024**3 * 8
     return finding(
         "2.2.2",
@@ -32,14 +32,14 @@ def grid_memory() -> Finding:
 
 
 def vertex_times(results: Path) -> pd.DataFrame:
-    """Time of a vertex of the ball by every way to find its gap, one thread, the widest instructions."""
+    """Time for a vertex of the ball by every way to find its gap, with one thread and the widest instructions."""
     table = fast.load(results)
     table = table[(table.direction == "ball->socket") & (table.threads == 1)]
     return table[table.instruction_set.isin(["none", fast.best_set(table)])]
 
 
 def no_distances(results: Path) -> Finding:
-    """Sections 2.2.1, 3.4 and 3.6.1."""
+    """Methods without distances (Sections 2.2.1, 3.4 and 3.6.1)."""
     times = vertex_times(results)
     times = times[times.triangles == PATIENT].set_index("method")
     rays, closest = times.loc["embree_ray8"], times.loc["embree_closest"]
@@ -54,7 +54,7 @@ def no_distances(results: Path) -> Finding:
 
 
 def tree_growth(results: Path) -> Finding:
-    """Section 3.6.1, by the time of one of the n points."""
+    """How a tree's time grows (Section 3.6.1), by the time of one of the n points."""
     times = vertex_times(results)
     cube = (times.method == TABLE) & (times.setting == "n=291") & (times.storage == "uint16")
     small, large = times.triangles[cube].min(), PATIENT
@@ -86,7 +86,7 @@ def generated(results: Path, method: str):
 
 
 def every_triangle(results: Path) -> Finding:
-    """Section 3.6.3."""
+    """Every triangle is tested (Section 3.6.3)."""
     table = load(results, "baselines", method="rsid", size=1.0)
     missed = table.faces_missed
     worst = table.loc[(missed / table.faces).idxmax()]
@@ -103,8 +103,8 @@ def every_triangle(results: Path) -> Finding:
 
 
 def lost_triangles(results: Path) -> Finding:
-    """Section 3.6.3, on hips: the faces of the generated ball are all of one size, and no smaller than the rays are apart, and the
-    thesis says it of models as fine as its patient's.
+    """Lost triangles (Section 3.6.3). It uses hips, since the faces of the generated ball are all of one size and no smaller
+    than the distance of the rays, and the thesis speaks of models as fine as its patient's.
     """
     table = load(results, "baselines", method="maciel_triangles", size=400)
     table = table[table.faces >= FINE]
@@ -125,7 +125,7 @@ def lost_triangles(results: Path) -> Finding:
 
 
 def field_memory(results: Path) -> Finding:
-    """Section 3.6.2."""
+    """Memory of a distance field (Section 3.6.2)."""
     field = generated(results, "cartesian_field").sort_values("size").iloc[-1]
     table = generated(results, "rsid")
     enough = table[table.rms_error_mm <= field.rms_error_mm].sort_values("bytes").iloc[0]

@@ -10,13 +10,13 @@ from findings.finding import Finding, finding, load, rounded
 
 
 def values(results: Path, claim: str) -> dict:
-    """(setting, quantity) to value."""
+    """A dict from (setting, quantity) to the value."""
     table = load(results, "claims", claim=claim)
     return table.set_index(["setting", "quantity"]).value.to_dict()
 
 
 def deforming(results: Path) -> Finding:
-    """Chapter 6."""
+    """Deforming surfaces (Chapter 6)."""
     found = values(results, "deforming surface updated in place")
     gains = [
         found[cap, "time anew"] / found[cap, "time in place"]
@@ -36,7 +36,7 @@ def deforming(results: Path) -> Finding:
 
 
 def same_distance(results: Path) -> Finding:
-    """Chapter 6."""
+    """Self-collision at the same distance (Chapter 6)."""
     found = values(results, "self-collision found while sampling")
     share = {setting: value for (setting, quantity), value in found.items() if quantity == "crossing pairs found"}
     tight = [value for setting, value in share.items() if setting.endswith("within 0.001 mm")]
@@ -54,7 +54,7 @@ def same_distance(results: Path) -> Finding:
 
 
 def added_distance(results: Path) -> Finding:
-    """Chapter 6."""
+    """Layers as an added distance (Chapter 6)."""
     found = values(results, "several layers")
     neck = found["normal hip, whole ball", "distance added, largest error"]
     facing = found["normal hip, under the socket", "distance added, rms error"]

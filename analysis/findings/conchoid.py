@@ -14,12 +14,12 @@ FINE_RAYS = 901  # of its Figures 58 and 59
 
 
 def excess(one: float, other: float) -> float:
-    """By how many per cent one is longer than the other."""
+    """By how many per cent one length exceeds the other."""
     return 100 * (one / other - 1)
 
 
 def middle_segments(results: Path) -> Finding:
-    """From the centre of the object."""
+    """Segments in the middle, seen from the centre of the object."""
     origins = common.load(results, "conchoid_origins").set_index("origin")
     middle = origins.loc["cap_extent_middle"]
     centres = origins.drop(index="conchoid_origin")
@@ -37,7 +37,7 @@ def middle_segments(results: Path) -> Finding:
 
 
 def bottom_segments(results: Path) -> Finding:
-    """From the conchoid's own origin."""
+    """Segments at the bottom, seen from the conchoid's own origin."""
     origin = load(results, "conchoid_origins", origin="conchoid_origin").iloc[0]
     longer = excess(origin.apex_mm_per_deg, origin.rim_mm_per_deg)
     return finding(
@@ -51,7 +51,7 @@ def bottom_segments(results: Path) -> Finding:
 
 
 def quarter_length(results: Path) -> Finding:
-    """Eq. 14 and its evaluation."""
+    """The length of a quarter: Eq. 14 and its evaluation."""
     shape = common.load(results, "conchoid_shape").iloc[0]
     return finding(
         "Eq. 14",
@@ -64,7 +64,7 @@ def quarter_length(results: Path) -> Finding:
 
 
 def segment_length(results: Path) -> Finding:
-    """The text before Eq. 15: 3.03 b / n with n rays, where Eq. 15 has n - 1."""
+    """The length of a segment: the text before Eq. 15 has 3.03 b / n with n rays, Eq. 15 has n - 1."""
     angles = load(results, "conchoid_angles", rays=RAYS).set_index("i")
     last = angles.thesis_deg[RAYS - 1]
     share = (RAYS - 1) / RAYS * math.sin(math.radians(last) / 2)
@@ -81,7 +81,7 @@ def segment_length(results: Path) -> Finding:
 
 
 def last_ray(results: Path) -> Finding:
-    """Eq. 16 with its rounded constants."""
+    """The last ray by Eq. 16 with its rounded constants."""
     angles = load(results, "conchoid_angles", rays=FINE_RAYS)
     last = angles.thesis_deg.iloc[-1]
     return finding(
@@ -95,7 +95,7 @@ def last_ray(results: Path) -> Finding:
 
 
 def largest_adjustment(results: Path) -> Finding:
-    """Figure 59."""
+    """The largest adjustment in Figure 59."""
     angles = load(results, "conchoid_angles", rays=FINE_RAYS)
     moved = angles[["thesis_deg", "closed_form_deg", "exact_deg"]].sub(angles.original_deg, axis=0).min()
     return finding(
@@ -109,7 +109,7 @@ def largest_adjustment(results: Path) -> Finding:
 
 
 def on_the_surface(results: Path) -> Finding:
-    """Rings of rays, on the turned curve."""
+    """Rings of rays on the turned curve."""
     surface = common.load(results, "conchoid_surface").groupby("sampling")
     spread = surface.largest_mm2.max() / surface.smallest_mm2.min()
     return finding(
@@ -124,7 +124,8 @@ def on_the_surface(results: Path) -> Finding:
 
 
 def weighted(results: Path) -> Finding:
-    """Section 5.1, as the scheme that it never became: at the same number of entries, by the error of gaps on every cap."""
+    """Weighted sampling (Section 5.1) as a scheme, which the thesis never made of it: by the error of gaps on every cap, with
+    the same number of entries."""
     table = common.load(results, "weighted_sampling").set_index(["joint", "precision_deg", "scheme"])
     grid, rings, area = (table.xs(scheme, level="scheme") for scheme in ("rsid", "weighted_rings", "conchoid"))
     by_rings = rings.rms_um / grid.rms_um

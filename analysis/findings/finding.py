@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a finding is: a statement, what was computed about it, and whether it holds.
+"""A finding is a statement, what was computed about it, and whether it holds.
 
-A verdict follows from the numbers by a condition in the code, it is never written down; but where two places of the
-text are held against each other, and nothing is computed, the evidence says so.
+A verdict follows from the numbers by a condition in the code and is never written down. Only where two places of the
+text are compared and nothing is computed does the evidence say so.
 """
 
 from pathlib import Path
@@ -24,7 +24,7 @@ class Finding(dict[str, str]):
 
 
 def rows(module: ModuleType, results: Path) -> list[Finding]:
-    """What the functions of a module that return a Finding, or several, say of the results, in their order."""
+    """The results of a module's functions that return a Finding, or several, in their order."""
     found = []
     for function in vars(module).values():
         if isinstance(function, FunctionType) and function.__module__ == module.__name__:
@@ -36,9 +36,9 @@ def rows(module: ModuleType, results: Path) -> list[Finding]:
 
 
 def finding(where: str, claim: str, computed: str, evidence: str, **rest: object) -> Finding:
-    """A Finding. rest: holds (bool), or of what hangs on rounds, joints or a machine the `value`, a Range, and where all of it
-    must be `within`: a part of it decides nothing; otherwise (the verdict if it does not hold; wrong unless given),
-    source, the key of a reference that the statement is held against.
+    """Makes a Finding. `rest` has holds (bool), or, for what depends on rounds, joints or a machine, `value`, a Range, with
+    `within`, the limits for all of it: a part of it decides nothing. It may have otherwise, the verdict if it does not hold
+    (default: wrong), and source, the key of a reference with which the statement is compared.
     """
     otherwise = str(rest.get("otherwise", "wrong"))
     if otherwise not in VERDICTS:
@@ -74,14 +74,14 @@ def one(table: pd.DataFrame, column: str, **chosen: object) -> float:
 
 
 def printed(artefact: str, column: str, row: str) -> str:
-    """What the thesis prints there."""
+    """What the thesis prints in that place."""
     values = common.thesis(artefact)
     (value,) = values.value[(values.column == column) & (values.row == row)]
     return value
 
 
 def rounded(value: float, significant: int = 3) -> str:
-    """For reading, as common.digits(), but with a plain minus sign and no empty text."""
+    """A number for reading, like common.digits(), but with a plain minus sign and never empty."""
     text = common.digits(value, significant)
     if not text:
         raise ValueError(f"there is no number to print: {value}")

@@ -16,7 +16,7 @@ LEVEL = 0.25  # exponent up to which a time hardly grows, as in the verdicts
 
 
 def cam_and_pincer() -> Finding:
-    """A matter of definitions: it rests on the paper that is cited, and nothing is computed."""
+    """Cam and pincer: a matter of definitions that rests on the cited paper; nothing is computed."""
     return finding(
         "2.1.3",
         "Cam impingement is over-coverage by the socket, pincer impingement a reduced offset of the head.",
@@ -29,7 +29,7 @@ def cam_and_pincer() -> Finding:
 
 
 def comparison(results: Path) -> Finding:
-    """Algorithms 2 and 3, for the scan of the socket."""
+    """The comparison in Algorithms 2 and 3, for the scan of the socket."""
     socket = load(results, "finding_comparison", surface="socket").iloc[0]
     return finding(
         "Algorithms 2, 3",
@@ -42,7 +42,7 @@ def comparison(results: Path) -> Finding:
 
 
 def saved_distances(results: Path) -> Finding:
-    """The colours need distances where there is no impingement."""
+    """Saved distances: the colours need distances even without impingement."""
     ball = load(results, "finding_comparison", surface="ball").iloc[0]
     return finding(
         "Algorithms 2, 3",
@@ -56,7 +56,7 @@ def saved_distances(results: Path) -> Finding:
 
 
 def linear_in_the_angles(results: Path) -> Finding:
-    """Section 3.2."""
+    """Distances that are linear in the angles (Section 3.2)."""
     table = load(results, "finding_interpolation", radius_of="thesis_raster", against="mesh")
     centred = table[table.shifted == "none"]
     shifted = table[table.shifted != "none"].groupby("faces").largest_mm.max()
@@ -75,8 +75,8 @@ def linear_in_the_angles(results: Path) -> Finding:
 
 
 def linear_time(results: Path) -> Finding:
-    """Tables 4 and 9 by query, from the thesis' own times: it does not count its vertices, which are as many as those of our
-    joints with its triangles, to a few per cent by Euler's formula.
+    """Time by query in Tables 4 and 9, from the thesis' own times. It does not count its vertices; our joints with as many
+    triangles have as many, to a few per cent, by Euler's formula.
     """
     data = common.load(results, timing.TABLE_9.data)
     method = common.counterparts("table-9")["rsid"]
@@ -100,7 +100,7 @@ def linear_time(results: Path) -> Finding:
 
 
 def constant_time(results: Path) -> Finding:
-    """Section 3.6.1, on one joint, as another shape has other gaps."""
+    """Constant time (Section 3.6.1), on one joint, since another shape has other gaps."""
     lines = timing.compare(results, timing.TABLE_4)
     mine = lines[(lines.method == common.counterparts("table-4")["rapid"]) & (lines.joint == timing.GENERATED)]
     exponent = slope_range(mine["size"], [timing.spread(line) for _, line in mine.iterrows()])
@@ -116,7 +116,7 @@ def constant_time(results: Path) -> Finding:
 
 
 def sampling_error(results: Path) -> Finding:
-    """Table 5."""
+    """The sampling error in Table 5."""
     formula = load(results, "sampling_error", scheme="rsid", precision_deg=1.0).iloc[0]
     sphere = load(results, "sampling_error_sphere", precision_deg=1.0).iloc[0]
     return finding(
@@ -131,7 +131,7 @@ def sampling_error(results: Path) -> Finding:
 
 
 def finer_tables(results: Path) -> Finding:
-    """Table 5 against the floor under it."""
+    """Finer tables: Table 5 compared with the smallest possible error."""
     flat = load(results, "finding_interpolation", radius_of="mesh", against="sphere", shifted="none")
     flat = 1e3 * flat.sort_values("faces").set_index("faces")[["largest_mm", "rms_mm"]]
     listed = ", ".join(f"{rounded(um)} ({faces:,} faces)" for faces, um in flat.largest_mm.items())
@@ -148,8 +148,8 @@ def finer_tables(results: Path) -> Finding:
 
 
 def required_precision(results: Path) -> Finding:
-    """Section 3.5.2. Samples a gap apart determine band limits up to half a turn by the gap, and entries need be no
-    closer to keep those: no rounding of the limit to a whole number takes part.
+    """The required precision (Section 3.5.2). Samples a gap apart determine band limits up to half a turn divided by the gap.
+    Entries need be no closer to keep these, so rounding of the limit to a whole number plays no part.
     """
     limit = load(results, "slice_band_limit", distance="slices, middle").iloc[0]
     asked = limit.gap_deg

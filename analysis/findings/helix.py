@@ -19,7 +19,7 @@ SEARCH = 1.5  # a search takes twice as many steps in stencil_time; below this t
 
 
 def uniform(results: Path) -> Finding:
-    """Eq. 9."""
+    """Uniform points (Eq. 9)."""
     first = common.load(results, "helix_placement").iloc[0]
     constants = common.load(results, "schemes").set_index("scheme").covering_constant
     aspect = first.along_deg / first.between_turns_deg
@@ -36,7 +36,7 @@ def uniform(results: Path) -> Finding:
 
 
 def rasterised(results: Path) -> Finding:
-    """Section 4.2.2, whether tables are kept or made anew."""
+    """Filling the helix by the raster (Section 4.2.2), with tables that are kept or made anew."""
     lines = timing.compare(results, timing.TABLE_8)
     lines = lines[lines.precision_deg == FINEST].set_index("method")
     times = {method: timing.spread(line) for method, line in lines.iterrows()}
@@ -58,7 +58,7 @@ def rasterised(results: Path) -> Finding:
 
 
 def travelled_distance(results: Path) -> Finding:
-    """Eq. 10 as a length."""
+    """The travelled distance of Eq. 10 as a length."""
     first = common.load(results, "helix_placement").iloc[0]
     last = common.load(results, "helix_placement").iloc[-1]
     return finding(
@@ -73,7 +73,7 @@ def travelled_distance(results: Path) -> Finding:
 
 
 def index(results: Path) -> Finding:
-    """Eq. 10 over points at equal distances."""
+    """The index by Eq. 10 among points at equal distances."""
     placement = common.load(results, "helix_placement")
     first, last = placement.iloc[0], placement.iloc[-1]
     errors = load(results, "helix_lookup_error", turns=first.turns)
@@ -92,7 +92,7 @@ def index(results: Path) -> Finding:
 
 
 def first_turn(results: Path) -> Finding:
-    """Section 4.3."""
+    """The first turn (Section 4.3)."""
     usid, rsid = (common.load(results, "scheme_errors").set_index("scheme").loc[name] for name in ("usid", "rsid"))
     return finding(
         "4.3",
@@ -107,7 +107,7 @@ def first_turn(results: Path) -> Finding:
 
 
 def saving(results: Path) -> Finding:
-    """Section 4.4, by the thesis' own two tables."""
+    """The saving (Section 4.4), by the thesis' own two tables."""
     saved = load(results, "scheme_savings", scheme="usid", precision_deg=1.0).set_index("meaning").saved_percent
     table = common.load(results, "lut_memory")
     ours = table.pivot(index="precision_deg", columns="scheme", values="bytes")
@@ -127,7 +127,7 @@ def saving(results: Path) -> Finding:
 
 
 def same_result(results: Path) -> Finding:
-    """Figure 50: as far as the thesis' tables of 1 degree are right, by its Table 5."""
+    """The same result in Figure 50, as far as the thesis' tables of 1 degree are right by its Table 5."""
     table = pd.read_csv(results / "tables" / "figure-50-difference.csv")
     largest = table.groupby("joint").largest_difference_mm.max()
     pairs = table.drop_duplicates(["joint", "surface"])
@@ -147,12 +147,12 @@ def same_result(results: Path) -> Finding:
 
 
 def joints(count: int) -> str:
-    """In words."""
+    """The joints in words."""
     return "one joint" if count == 1 else f"{count} joints"
 
 
 def search(results: Path) -> Finding:
-    """Section 4.5."""
+    """The search (Section 4.5)."""
     labels = common.scheme_labels(results)
     times = common.load(results, "stencil_time").sort_values("entries")
     times = times[times.scheme.map(labels).str.contains(POLYHEDRA, case=False)]
@@ -175,7 +175,7 @@ def search(results: Path) -> Finding:
 
 
 def most_points(results: Path) -> Finding:
-    """Section 4.5."""
+    """The most points (Section 4.5)."""
     finest = load(results, "lut_memory", precision_deg=FINEST).set_index("scheme")
     constant = common.load(results, "schemes").set_index("scheme").covering_constant.helix_isotropic
     return finding(

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @data      motion_volume_rotations
-"""Statements of other papers about internal rotation, held against the limits of generated hips."""
+"""Statements of other papers about internal rotation, compared with the limits of generated hips."""
 
 from pathlib import Path
 
@@ -11,13 +11,13 @@ NEAR = 1.0  # degrees, as the slope is printed to half a degree of a sample
 
 
 def limits(results: Path) -> dict[tuple[str, int], float]:
-    """Internal rotation, degrees, by joint and flexion."""
+    """Limits of internal rotation, degrees, by joint and flexion."""
     table = load(results, "motion_volume_rotations")
     return table.set_index(["joint", "flexion_deg"]).low_deg.to_dict()
 
 
 def flexion(results: Path) -> Finding:
-    """The slope."""
+    """How internal rotation falls with flexion."""
     low = limits(results)
     loss = (low["normal", 70] - low["normal", 90]) / 2
     return finding(
@@ -31,7 +31,7 @@ def flexion(results: Path) -> Finding:
 
 
 def cam(results: Path) -> Finding:
-    """One hip of each kind: what a cam costs depends on its height."""
+    """What a cam costs, on one hip of each kind, since this depends on its height."""
     low = limits(results)
     loss = low["normal", 90] - low["cam", 90]
     return finding(

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @data      conchoid_angles conchoid_shape finding_interpolation helix_placement sampling_error_bounds scheme_savings schemes
 # @depends   verdicts.csv
-"""Statements of the working note with which this reproduction began: its list of suspected errors of the thesis
-is held to the same standard. And the misprints that verdicts.csv names.
+"""Statements of the working note with which this reproduction began. Its list of suspected errors of the thesis is held to
+the same standard. Then the misprints that verdicts.csv names.
 """
 
 from pathlib import Path
@@ -16,12 +16,12 @@ FEW_PER_CENT = 0.03
 
 
 def near(value: float, stated: float) -> bool:
-    """Within a few per cent."""
+    """Are the two numbers within a few per cent of each other?"""
     return abs(value / stated - 1) < FEW_PER_CENT
 
 
 def linear(results: Path) -> Finding:
-    """Item 3."""
+    """Item 3, for a surface about the centre."""
     table = load(results, "finding_interpolation", radius_of="thesis_raster", against="mesh", shifted="none")
     coarse, fine = (one(table, "largest_mm", faces=faces) for faces in (320, 1280))
     return finding(
@@ -35,7 +35,7 @@ def linear(results: Path) -> Finding:
 
 
 def shifted(results: Path) -> Finding:
-    """Item 3, off the centre."""
+    """Item 3, for one off the centre."""
     table = load(results, "finding_interpolation", radius_of="thesis_raster", against="mesh")
     across, along = (table[table.shifted == axis].set_index("faces").largest_mm for axis in ("x", "z"))
     return finding(
@@ -68,7 +68,7 @@ def mismatch(results: Path) -> Finding:
 
 
 def savings(results: Path) -> pd.DataFrame:
-    """Of the thesis' helix, by precision and meaning."""
+    """Savings of the thesis' helix, by precision and meaning."""
     return load(results, "scheme_savings", scheme="usid").pivot(
         index="precision_deg", columns="meaning", values="saved_percent"
     )
@@ -192,7 +192,7 @@ def face_bound(results: Path) -> Finding:
 
 
 def misprints(results: Path) -> list[Finding]:
-    """One for each number that verdicts.csv calls a misprint of the thesis."""
+    """A finding for each number that verdicts.csv calls a misprint of the thesis."""
     verdicts = common.as_text(results / "verdicts.csv")
     return [
         finding(

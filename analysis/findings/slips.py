@@ -12,7 +12,7 @@ QUADRANT = (0, 3)  # hours, the anterosuperior one: from superior at 12 to anter
 
 
 def arctangent() -> Finding:
-    """Eq. 6, evaluated a degree apart."""
+    """The arctangent of Eq. 6, evaluated every degree."""
     azimuths = [degree + 0.5 for degree in range(360)]
     found = [math.degrees(math.atan(math.sin(math.radians(a)) / math.cos(math.radians(a)))) for a in azimuths]
     off = [abs(theta - a) for theta, a in zip(found, azimuths)]
@@ -41,7 +41,7 @@ def axes() -> Finding:
 
 
 def indices() -> Finding:
-    """Sections 3.3 and 4.3: with a vertex that the two equations take there and back."""
+    """Indices in Sections 3.3 and 4.3, with a vertex that the two equations take there and back."""
     x, y, z = 3.0, 4.0, 12.0
     d = math.hypot(x, y, z)
     theta, phi = math.atan2(y, x), math.acos(z / d)  # Eq. 6
@@ -58,7 +58,7 @@ def indices() -> Finding:
 
 
 def comparison_of_methods() -> Finding:
-    """Section 4.5 on another one."""
+    """What Section 4.5 says about another section."""
     return finding(
         "4.5",
         "Section 3.5.2 compares the first system with existing methods.",
@@ -70,7 +70,7 @@ def comparison_of_methods() -> Finding:
 
 
 def unequal_segments() -> Finding:
-    """Section 5.1.1: segments of equal angles at the apex and at the rim, relative to each other."""
+    """Unequal segments (Section 5.1.1): segments of equal angles at the apex and at the rim, relative to each other."""
     a, b = (float(printed("section-5.1", name, "conchoid")) for name in "ab")
     by_8 = 1.0  # sqrt(2) pi / n holds no direction
     by_12 = (a + b) / math.hypot(a, b)  # the square root of r^2 + r'^2 at 0 and at 90 degrees
@@ -86,7 +86,7 @@ def unequal_segments() -> Finding:
 
 
 def angles_of_table_10() -> Finding:
-    """Section 5.1.3, by what the equation that it names would give."""
+    """The angles of Table 10 (Section 5.1.3), compared with the equation that it names."""
     table = common.thesis("table-10").pivot(index="row", columns="column", values="value").astype(float).iloc[1:]
     ratios = table.adjusted_angle / table.original_angle
     last = len(table)
@@ -103,7 +103,7 @@ def angles_of_table_10() -> Finding:
 
 
 def cartilage() -> Finding:
-    """Sections 2.1.1 and 3.4: an offset of each bone's surface, and a threshold between the bones."""
+    """Cartilage in Sections 2.1.1 and 3.4: an offset of each bone's surface, or a threshold between the bones."""
     return finding(
         "3.4",
         "Each bone gets an offset of 4 mm for its cartilage, and there is impingement where the bones are nearer than that thickness.",
@@ -116,7 +116,7 @@ def cartilage() -> Finding:
 
 
 def zones() -> Finding:
-    """Section 3.4 on Figures 42 and 43, hour by hour of the dial."""
+    """Zones: Section 3.4 compared with Figures 42 and 43, hour by hour of the dial."""
     red = printed("figure-42", "clock", "red_zone")
     stretches = [(int(a) % 12, int(b)) for a, b in re.findall(r"(\d+)-(\d+)", red)]
     hours = [hour for start, end in stretches for hour in range(start, end)]
@@ -134,7 +134,7 @@ def zones() -> Finding:
 
 
 def clock_ticks() -> Finding:
-    """The times of Table 8 as multiples of a tick."""
+    """The times of Table 8, as multiples of a clock tick."""
     times = sorted({time for time in timing.thesis_times(timing.TABLE_8).values() if math.isfinite(time)})
     counts = [round(time / timing.TICK_MS) for time in times]
     off = max(abs(time - count * timing.TICK_MS) for time, count in zip(times, counts))
@@ -151,7 +151,7 @@ def clock_ticks() -> Finding:
 
 
 def rapid_times() -> Finding:
-    """The same measurements, twice."""
+    """The same measurements of RAPID, printed twice."""
     first, second = (
         {(value.row, value.column): value.value for value in common.thesis(table).itertuples()}
         for table in ("table-4", "table-9")

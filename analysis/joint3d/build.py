@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Joint3D as one file: page, style, script and the library in WebAssembly. It asks for nothing beyond itself, and a
-policy in its head forbids that it could.
+"""Builds Joint3D as one file: page, style, script and the library in WebAssembly. It loads nothing else, and a policy in its head
+forbids it to.
 
 Scripts are bundled by esbuild; three.js comes from analysis/node_modules.
 """
@@ -17,7 +17,7 @@ HERE = Path(__file__).resolve().parent
 
 
 def bundle(first: str) -> str:
-    """The page's own modules from this one on, and what they use of three.js, as one script."""
+    """Bundles the page's own modules, from this one on, and what they use of three.js, as one script."""
     form = ["--bundle", "--minify", "--format=iife", "--target=es2020", "--charset=utf8", "--legal-comments=inline"]
     command = ["esbuild", first, *form, "--log-level=warning"]
     done = subprocess.run(command, cwd=HERE, check=True, stdout=subprocess.PIPE)
@@ -25,12 +25,12 @@ def bundle(first: str) -> str:
 
 
 def embedded(script: str) -> str:
-    """A script as it may stand between the tags of an HTML file."""
+    """Returns a script that may stand between the tags of an HTML file."""
     return script.replace("</script", "<\\/script").replace("<!--", "<\\!--").strip()
 
 
 def policy(script: str) -> str:
-    """What the page may do: run this very script, its own workers and WebAssembly, and show what it holds."""
+    """The policy: the page may run this very script, its own workers and WebAssembly, and show what it contains."""
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     rules = [
         "default-src 'none'",
@@ -46,13 +46,13 @@ def policy(script: str) -> str:
 
 
 def version() -> str:
-    """Of impinge, as CMake has it."""
+    """The version of impinge, from CMake."""
     said = (HERE.parent.parent / "CMakeLists.txt").read_text()
     return re.search(r"^project\(\s*impinge\s+VERSION (\S+)", said, re.MULTILINE)[1]
 
 
 def commit() -> str:
-    """Of the sources: what the environment says, or git."""
+    """The commit of the sources, from the environment or git."""
     said = os.environ.get("IMPINGE_COMMIT")
     if said:
         return said

@@ -7,7 +7,8 @@ benchmark:methods, :scenes, :settings, :bounded (rows with a proven bound) and :
 tightness:least and :median of the latter; matched:TARGET:line, :query_ns, :kib, :embree and :thesis of
 the fastest line of the main scene at that error (um); proven:SCHEME:PRECISION:COLUMN of the head;
 budget:STAGE:max_um of the generated pair at 1 degree;
-euclidean:ZONE:gap_median and :gap_max, the largest over all joints and poses; work:embree, work:pays and work:ablation, sentences
+euclidean:ZONE:gap_median and :gap_max, the largest over all joints and poses; thousand:WHAT:s and :um of the fastest of the thesis'
+tables, of Embree's rays and of exact cells (WAYS), all gaps of 1,000 poses of the hip; work:embree, work:pays and work:ablation, sentences
 of common/work_precision.py.
 """
 
@@ -20,10 +21,27 @@ import common
 from common import pareto, work_precision
 
 
+NEGLIGIBLE = 0.001  # micrometres, of a stage of the budget
+
+
 def facts(results: Path) -> dict[str, str]:
     """All of them."""
     said = {f"work:{name}": text for name, text in work_precision.sentences(results).items()}
-    return benchmark(results) | matched(results) | proven(results) | euclidean(results) | said
+    return benchmark(results) | matched(results) | proven(results) | euclidean(results) | thousand(results) | said
+
+
+WAYS = {"thesis": work_precision.THESIS, "embree": ["Embree"], "cells": ["exact cells"]}
+
+
+def thousand(results: Path) -> dict[str, str]:
+    """The fastest of each."""
+    rows = work_precision.load(results)
+    own = rows[rows.scene == work_precision.scenes(rows)["hip"]]
+    found = {}
+    for name, lines in WAYS.items():
+        row = own[own.line.isin(lines)].nsmallest(1, "thousand").iloc[0]
+        found |= {f"thousand:{name}:s": common.digits(row.thousand / 1e3, 2), f"thousand:{name}:um": common.digits(row.error_um, 2)}
+    return found
 
 
 def benchmark(results: Path) -> dict[str, str]:
@@ -45,7 +63,8 @@ def matched(results: Path) -> dict[str, str]:
     """The fastest line at each error."""
     lines = pd.read_csv(results / "tables" / "matched-accuracy.csv")
     scene = pareto.main_scene(lines.scene)
-    found = {"matched:scene": scene.replace("_", " ")}
+    joint, _, triangles = scene.rpartition("_")
+    found = {"matched:scene": f"{joint.replace('_', ' ')} pair of {int(triangles):,} triangles each" if triangles.isdigit() else scene.replace("_", " ")}
     own = lines[(lines.scene == scene) & np.isfinite(lines.query_ns)]
     for target, group in own.groupby("target_um"):
         best = group.loc[group.query_ns.idxmin()]
@@ -71,7 +90,7 @@ def proven(results: Path) -> dict[str, str]:
     budget = common.load(results, "error_budget")
     chosen = (budget.scheme == "rsid") & (budget.storage == "uint16") & (budget.precision_deg == 1)
     for row in budget[chosen].itertuples():
-        found[f"budget:{row.stage}:max_um"] = common.digits(row.max_um, 2)
+        found[f"budget:{row.stage}:max_um"] = common.digits(row.max_um, 2) if row.max_um >= NEGLIGIBLE else f"less than {NEGLIGIBLE:g}"
     return found
 
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      paper-facts
-# @question  Every number that the paper's text names.
+# @question  Every number that the text of the papers names.
 # @data      sampling_time detection_time strain_layer
 # @depends   verdicts.csv tables/figure-50-difference.csv tables/findings.csv
 # @outputs   paper/facts.tex
-"""Every number that the paper's text names, as \\setfact{key}{text}. From verdicts.csv and the sidecars of
+"""Every number that the text of the papers names, as \\setfact{key}{text}. From verdicts.csv and the sidecars of
 the timed data.
 
 Keys: count:VERDICT and :all, count:ARTEFACT:VERDICT or :all that were not given, each number of the thesis once;
@@ -23,10 +23,10 @@ import pandas as pd
 import common
 from common import log_plot, strain, tally, timing
 from findings import finding
-from paper import baselines, cells, error_against_time, limits, needs, studies, volume
+from paper import baselines, cells, error_against_time, limits, needs, studies, theorems, volume, whole
 from verdicts import verdict
 
-MODULES = (cells, studies, error_against_time, strain, baselines, limits, needs, volume)
+MODULES = (cells, studies, error_against_time, strain, baselines, limits, needs, volume, whole, theorems)
 MACHINE = ["cpu", "cores", "compiler", "flags", "profile", "commit"]
 
 

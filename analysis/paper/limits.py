@@ -5,7 +5,7 @@
 limit:JOINT:MOTION and limit:JOINT:MOTION:clock of first contact; limits:count (with a bracket), :widest (of these, degrees),
 :uncertainty:least and :most (degrees, to first order, of half a millimetre of a surface; 5 % and 95 % of the
 contacts), :interval:median and :most (width of the interval for every centre within half a millimetre, degrees),
-:unbounded (limits without a proven upper end), :hanging (limits that are sensitive to less than that);
+:unbounded (limits without a proven upper end), :hanging (limits that are sensitive to less than that); joints:said, how many real ones; limits:panels, what the figure shows;
 phantoms:limits:count, :error (largest, degrees), phantoms:gaps:count and :share (largest error of its bound, per cent).
 """
 
@@ -31,8 +31,11 @@ def limits(results: Path) -> dict[str, str]:
     brackets = every[every.state == "limited"]
     width = (brackets.limit_high_deg - brackets.limit_low_deg).max()
     limited = table[table.state == "limited"]
+    real = table[~table.joint.isin(motion_limits.GENERATED)].joint.nunique()
     interval = limited.centre_high_deg - limited.centre_low_deg
     return found | {
+        "joints:said": f"with {real} real joints" if real else "without real joints",
+        "limits:panels": "Left: generated hips; right: real joints." if real else "",
         "limits:count": str(len(brackets)),
         "limits:widest": common.rounded_up(width, 7).rstrip("0").rstrip("."),
         "limits:uncertainty:least": common.digits(limited.surface_deg.quantile(0.05), 2),

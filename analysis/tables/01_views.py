@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      table-1
 # @question  The names of the views, and where the cameras of our pictures look (Table 1 of the thesis).
-"""Table 1, the views by their anatomical names and as computer graphics calls them, and where the cameras of our pictures
-look for them.
+"""Table 1: the views by their anatomical names and as computer graphics calls them, and the directions in which the cameras of
+our pictures look for them.
 """
 
 import pandas as pd

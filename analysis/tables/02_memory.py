@@ -2,7 +2,7 @@
 # @name      table-2
 # @question  Entries and memory of the RSID table at four precisions (Table 2 of the thesis).
 # @data      lut_memory fill_memory
-"""Table 2, entries and memory of the RSID table: thesis beside ours."""
+"""Table 2: entries and memory of the RSID table, in the thesis and here."""
 
 import common
 from common import memory

@@ -2,8 +2,8 @@
 # @name      table-5
 # @question  The sampling error of RSID by the thesis' formula, and the errors measured (Table 5 of the thesis).
 # @data      sampling_error sampling_error_proven sampling_error_sphere
-"""Table 5, the sampling error of the RSID table: the thesis' formula (Eq. 7-8), the distance along the surface that it
-stands for, and the error of the radius, where they were measured, with its proven bound.
+"""Table 5: the sampling error of the RSID table. It has the thesis' formula (Eq. 7-8), the distance along the surface that this
+stands for, and, where it was measured, the error of the radius with its proven bound.
 """
 
 import math

@@ -2,7 +2,7 @@
 # @name      table-6
 # @question  Turns of the helix that matches each precision, and its points at the equator (Table 6 of the thesis).
 # @data      lut_memory
-"""Table 6, turns of the helix and its points at the equator: thesis beside ours."""
+"""Table 6: turns of the helix and its points at the equator, in the thesis and here."""
 
 import pandas as pd
 
@@ -37,7 +37,7 @@ def main(options) -> common.Table:
 
 
 def latex(lines: pd.DataFrame) -> str:
-    """Turns and points, thesis and here: a turn holds one more or less by where it begins."""
+    """Turns and points, thesis and here. A turn holds one point more or less, depending on where it begins."""
     rows = [
         f"{line.precision_deg:g}\\textdegree & {line.grid_equator_points:,} & {line.thesis_helix_turns:,} & "
         f"{line.measured_helix_turns:,} & {line.thesis_equator_points:,} & "

@@ -2,7 +2,7 @@
 # @name      table-7
 # @question  Entries and memory of the USID table at four precisions, beside RSID's (Table 7 of the thesis).
 # @data      lut_memory fill_memory
-"""Table 7, entries and memory of the USID table, and those of RSID that it is compared with: thesis beside ours."""
+"""Table 7: entries and memory of the USID table and of the RSID table for comparison, in the thesis and here."""
 
 import common
 from common import memory

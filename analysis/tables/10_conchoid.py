@@ -2,7 +2,7 @@
 # @name      table-10
 # @question  Four rays adjusted to the conchoid (Table 10 of the thesis).
 # @data      conchoid_angles
-"""Table 10, four rays on the conchoid, original and adjusted: thesis beside ours."""
+"""Table 10: four rays on the conchoid, original and adjusted, in the thesis and here."""
 
 import pandas as pd
 
@@ -34,7 +34,7 @@ def main(options) -> common.Table:
 
 
 def latex(lines: pd.DataFrame) -> str:
-    """Degrees: printed, by Eq. 16 as printed, and exact."""
+    """Degrees as printed, by Eq. 16 as printed, and exact."""
     rows = [
         f"{line.i} & {line.original_deg:.0f} & {line.thesis_adjusted_deg} & {line.eq16_adjusted_deg:.2f} & "
         f"{line.exact_adjusted_deg:.2f} & ${line.thesis_adjustment_deg}$ & ${line.eq16_adjustment_deg:.2f}$ & "

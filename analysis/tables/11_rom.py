@@ -2,8 +2,7 @@
 # @name      table-11
 # @question  The recorded range of motion of two patients, and how close the bones of their stand-ins come (Table 11).
 # @data      motion_frames motion_limit_details
-"""Table 11, the recorded range of motion, and how close the bones of our stand-ins are at its ends and where they touch.
-"""
+"""Table 11: the recorded range of motion, how close the bones of our stand-ins are at its ends, and where they touch."""
 
 import pandas as pd
 
@@ -36,7 +35,7 @@ def main(options) -> common.Table:
 
 
 def latex(table: pd.DataFrame, limits: pd.DataFrame) -> str:
-    """Degrees as printed; gap, clock position and limit of the stand-in beside."""
+    """Degrees as printed, with gap, clock position and limit of the stand-in."""
     rows = []
     for row in table.to_dict("records"):
         cells = [replay.MOTIONS[row["motion"]]]

@@ -45,7 +45,7 @@ def main(options) -> common.Table:
 
 
 def latex(table: pd.DataFrame) -> str:
-    """A row a motion."""
+    """A row per motion."""
     rows = [
         f"{replay.MOTIONS[row.motion]} & {row.angle_deg:.1f} & {float(row.smallest_gap_mm):.2f} & "
         f"{row.smallest_at} & "

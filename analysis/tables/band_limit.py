@@ -12,7 +12,7 @@
 # @data      band_limit_bones
 # @options   --data band_limit_bones --name NAME
 # @when      JOINTS
-"""Band limits and the entries that the sampling theorems ask for, one row a case."""
+"""Band limits and the entries that the sampling theorems require, one row per case."""
 
 import pandas as pd
 
@@ -47,12 +47,12 @@ def main(options) -> common.Table:
 
 
 def carried(line) -> str:
-    """What the band limit is to reach."""
+    """What the band limit has to reach."""
     return f"all but {line.left_out_mm:g} mm" if pd.isna(line.carried_percent) else f"{line.carried_percent:g} %"
 
 
 def latex(table: pd.DataFrame) -> str:
-    """Names, then the entries; a surface is named once."""
+    """Names, then the entries. A surface is named only once."""
     columns = [name for name in HEADS if name in table]
     rows = []
     last = None

@@ -3,7 +3,8 @@
 # @question  What do a program on the core alone, one with a single question, and all of impinge need to be built and to run?
 # @depends   programs/core_alone programs/one_question programs/impinge_program
 # @options   --graph GRAPH
-"""Targets, sources and Debian packages that three programs are built from, their size, and that of the libraries they load."""
+"""The targets, sources and Debian packages from which three programs are built, their size, and the size of the libraries that
+they load."""
 
 import re
 import subprocess
@@ -36,7 +37,7 @@ def main(options) -> common.Table:
 
 
 def weighed(graph: Path, name: str, target: str, words: str) -> dict:
-    """A row: what the build knows of a program, and what it loads."""
+    """A row: what the build knows about a program, and what the program loads."""
     build, program = graph.parent, graph / "programs" / name
     inputs = output("ninja", "-C", build, "-t", "inputs", target).split()
     objects = [file for file in inputs if file.endswith(".o")]
@@ -67,7 +68,7 @@ def stripped_bytes(program: Path) -> int:
 
 
 def loaded(program: Path) -> set[Path]:
-    """Shared libraries beside those of the compiler."""
+    """Shared libraries other than the compiler's."""
     found = re.findall(r"=> (/\S+)", output("ldd", program))
     return {Path(file).resolve() for file in found if not COMPILER.match(Path(file).name)}
 

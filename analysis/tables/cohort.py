@@ -3,8 +3,8 @@
 # @question  Does the published spread of shape give the published spread of internal rotation?
 # @data      cohort
 # @seconds   2 2
-"""What is published of populations of hips beside a cohort of ours: degrees, and shares in percent. "given" went into the
-study, "found" came out of it.
+"""Published populations of hips compared with a cohort of ours: degrees, and shares in percent. "given" numbers went into the
+study, "found" numbers came out of it.
 """
 
 import pandas as pd

@@ -9,7 +9,7 @@
 # @options   --data error_budget_bones --name NAME
 # @when      JOINTS
 """The error budget of a gap, stage by stage, for the thesis' RSID table stored in 16 bits: root mean square and largest
-error of each stage, their sum, and the error of the gap that is read.
+error of each stage, their sum, and the error of the resulting gap.
 """
 
 import math
@@ -43,7 +43,7 @@ def main(options) -> common.Table:
 
 
 def cell(line: dict, stage: str) -> str:
-    """rms and largest in one cell; an estimate of the mesh stands in for what is not known."""
+    """rms and largest error in one cell; an estimate of the mesh replaces an unknown one."""
     estimated = stage == "mesh" and math.isnan(line["mesh_max_um"])
     source = "mesh_estimate" if estimated else stage
     rms, largest = (common.digits(line[f"{source}_{kind}"], 2) for kind in ("rms_um", "max_um"))
@@ -52,7 +52,7 @@ def cell(line: dict, stage: str) -> str:
 
 
 def latex(table: pd.DataFrame) -> str:
-    """One line a joint and precision: rms / largest of each stage, micrometres."""
+    """One line per joint and precision: rms / largest of each stage, micrometres."""
     shown = {
         "mesh": "mesh",
         "centre": "centre",

@@ -25,7 +25,7 @@ def main(options) -> common.Table:
 
 
 def latex(table: pd.DataFrame) -> str:
-    """One line a method and setting, both directions beside each other; tables at one size."""
+    """One line per method and setting, with both directions side by side; tables at one size."""
     sized = table.setting.str.endswith("deg") | table.setting.str.startswith("n=")
     table = table[~sized | table.setting.isin(SIZES)]
     head = [

@@ -3,7 +3,7 @@
 # @question  How far are the gaps by RSID and by USID apart, at 1 degree (beside Figure 50)?
 # @depends   scenes/{SCENES}-{rsid,usid}/{gaps.csv,summary.json}
 # @options   --joints SCENES
-"""How far the gaps by the two tables of the thesis are apart, and how many vertices change sides of a threshold (Figure
+"""How far the gaps from the two tables of the thesis are apart, and how many vertices change sides of a threshold (Figure
 50: USID "produces the same result").
 """
 
@@ -28,7 +28,7 @@ def main(options) -> common.Table:
 
 
 def differences(joint: str, one: Path, other: Path) -> list[dict]:
-    """One row for each surface and threshold, which are the levels that the scene colours."""
+    """One row for each surface and each threshold, which are the levels that the scene colours."""
     gaps = pd.merge(*(pd.read_csv(folder / "gaps.csv") for folder in (one, other)), on=["surface", "vertex"])
     summary = summaries.read(one)
     rows = []
@@ -57,7 +57,7 @@ def differences(joint: str, one: Path, other: Path) -> list[dict]:
 
 
 def latex(table: pd.DataFrame) -> str:
-    """The thresholds of each surface below each other."""
+    """The thresholds of each surface, one below the other."""
     heads = ["joint", "surface", "met by one", "largest, mm", "rms, mm", "threshold, mm"]
     heads += [f"{common.label(scheme)}" for scheme in SCHEMES] + ["changed"]
     rows, last = [], None

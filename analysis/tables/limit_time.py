@@ -2,7 +2,7 @@
 # @name      limit-time-by-method
 # @question  What do the limits of all motions cost by each method, and which contacts do its steps miss?
 # @data      limit_time
-"""Error and processor time of the limits of all motions, ours beside others' tests of touch in steps."""
+"""Error and processor time of the limits of all motions: our method compared with others' tests of touch in steps."""
 
 import pandas as pd
 
@@ -19,7 +19,7 @@ def main(options) -> common.Table:
 
 
 def latex(table: pd.DataFrame) -> str:
-    """A line a method and step, joint by joint; a star where times are extrapolated."""
+    """A line per method and step, joint by joint; a star where times are extrapolated."""
     lines = []
     for row in table.itertuples():
         lines.append(

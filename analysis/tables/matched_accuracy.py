@@ -2,11 +2,11 @@
 # @name      matched-accuracy
 # @question  Time and memory of every method at 10, 1, 0.1 and 0.01 micrometres.
 # @data      error_against_time error_against_time_spread
-"""What each line of settings takes to keep an error: time of a query and bytes at 10, 1, 0.1 and 0.01 um, on each scene,
-beside Embree and the thesis' own method.
+"""What each line of settings needs for a given error: time of a query and bytes at 10, 1, 0.1 and 0.01 um, on each scene, with
+Embree and the thesis' own method.
 
-Between two settings the logarithm of time and bytes is linear in that of the error. Nothing is extrapolated: a line
-whose finest setting errs more has no value; one whose coarsest setting errs less takes what that one takes.
+Between two settings the logarithm of time and bytes is linear in the logarithm of the error. Nothing is extrapolated: a line
+whose finest setting errs more has no value; one whose coarsest setting errs less has the value of that setting.
 """
 
 import math
@@ -45,8 +45,8 @@ def main(options) -> common.Table:
 
 
 def at(group: pd.DataFrame, target: float) -> dict[str, float]:
-    """Cost of the line at an error, by the settings on its own front: a setting that is dominated by another of
-    the same line tells nothing.
+    """Cost of the line at an error, by the settings on its own front. A setting that is dominated by another of the same line
+    does not count.
     """
     found = {}
     for cost in ("query_ns", "bytes"):

@@ -2,9 +2,9 @@
 # @name      motion-limits-by-joint
 # @question  The limit of every motion of every joint, and where the bones touch.
 # @data      motion_limit_details
-"""How far each joint turns until its surfaces touch, about the centre of the head and about that of the socket, with the
-clock position of the contact, the interval that holds for every centre within half a millimetre, and where the gap
-first falls to that.
+"""How far each joint turns until its surfaces touch, about the centre of the head and about the socket's. It has the clock
+position of the contact, the interval that holds for every centre within half a millimetre, and where the gap first falls to
+half a millimetre.
 """
 
 import pandas as pd
@@ -39,12 +39,12 @@ def main(options) -> common.Table:
 
 
 def ends(row, name: str) -> dict:
-    """A limit in numbers: between which angles it lies, and what it is; open above where nothing is known."""
+    """A limit in numbers: the angles between which it lies, and what it is; open above where nothing is known."""
     return {f"{name}_state": row.state, f"{name}_low_deg": row.limit_low_deg, f"{name}_high_deg": row.limit_high_deg}
 
 
 def latex(table: pd.DataFrame) -> str:
-    """A line a motion, a column a generated hip: limit and clock."""
+    """A line per motion and a column per generated hip: limit and clock position."""
     joints = [motion_limits.label(name) for name in motion_limits.GENERATED]
     names = [name.removeprefix("stand-in for ") for name in joints]
     lines = []

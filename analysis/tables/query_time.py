@@ -2,10 +2,10 @@
 # @name      table-9-queries
 # @question  Time per query, ns: the time in Table 9 divided by the vertices of both models.
 # @data      detection_time
-"""Nanoseconds a query: times of Table 9 divided by the vertices that a scan looks up, those of both models.
+"""Nanoseconds per query: times of Table 9 divided by the vertices that a scan looks up, which are those of both models.
 
-The thesis does not count its vertices. It is given those of our models of as many triangles, as Euler's formula fixes
-them: half as many as triangles for a closed surface.
+The thesis does not count its vertices. It gets those of our models with as many triangles; by Euler's formula a closed surface
+has half as many vertices as triangles.
 """
 
 import pandas as pd
@@ -26,7 +26,7 @@ def main(options) -> common.Table:
 
 
 def latex(lines: pd.DataFrame) -> str:
-    """A row for each number of triangles, thesis and here for each method."""
+    """A row for each number of triangles, with thesis and here for each method."""
     methods = list(lines.method.unique())
     spans = [f"\\multicolumn{{2}}{{c}}{{{common.label(method)}}}" for method in methods]
     rules = [f"\\cmidrule(lr){{{3 + 2 * i}-{4 + 2 * i}}}" for i in range(len(methods))]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      needs-by-question
 # @question  Time, memory and what is looked at, of each question asked alone, of everything, and of other libraries.
-"""What each question needs, beside everything at once and what other libraries need for the same."""
+"""What each question needs, compared with everything at once and with other libraries for the same question."""
 
 import common
 from common import scene_needs
@@ -24,7 +24,7 @@ def main(options) -> common.Table:
 
 
 def cell(value: float) -> str:
-    """A dash where nothing was counted."""
+    """The cell of a number; a dash where nothing was counted."""
     return common.digits(value) or "---"
 
 

@@ -32,7 +32,7 @@ def main(options) -> common.Table:
 
 
 def short(citation: str) -> str:
-    """Names and year of the first source: "Gorski et al. 2005"; without a year, the words before a comma."""
+    """Names and year of the first source, such as "Gorski et al. 2005"; without a year, the words before a comma."""
     first = citation.split(";")[0]
     name = r"[A-Z][\w'-]+"
     found = re.search(rf"({name}(?:(?:, | and | & ){name})*)( et al\.)? \(?(\d{{4}})", first)
@@ -43,7 +43,7 @@ def short(citation: str) -> str:
 
 
 def latex(lines: pd.DataFrame) -> str:
-    """One row a scheme, the best covering first."""
+    """One row per scheme, the best covering first."""
     body = [
         [
             common.tex(line.label),
@@ -63,7 +63,7 @@ def latex(lines: pd.DataFrame) -> str:
             r" & & & \multicolumn{2}{c}{$N\rho^2$} & area & look-up & "
             r"\multicolumn{3}{c}{saved at equal, \%} \\",
             r"\cmidrule(lr){4-5}\cmidrule(l){8-10}",
-            r"Scheme & Source & entries & all & off poles & ratio & ns & gap & $e_{99.99}$ & rms \\",
+            r"Scheme & Source & entries & all & off poles & ratio & ns & $\rho$ & $e_{99.99}$ & rms \\",
         ],
         body,
     )

@@ -2,7 +2,7 @@
 # @name      stability-summary
 # @question  Which stiff cases (condition number above 1000) and extreme ones (parameter within 1e-6 of a place where the answer jumps or is not defined) break a method, and is a mutation of the method noticed?
 # @data      stability stability_detail stability_families
-"""Stiff and extreme cases, a row a family: how far ours and the others are off, and how often they fail."""
+"""Stiff and extreme cases, a row per family: how far our methods and others are off, and how often they fail."""
 
 import pandas as pd
 
@@ -18,7 +18,7 @@ def main(options) -> common.Table:
 
 
 def line(cases: pd.DataFrame, name: str, family: pd.Series) -> dict:
-    """Worst and counts of one family."""
+    """The worst error and the counts of one family."""
     ours = cases[cases.kind == "ours"]
     others = cases[~cases.kind.isin(["ours", "mutated"])]
     bounds = stability.bounds(ours)
@@ -47,7 +47,7 @@ def line(cases: pd.DataFrame, name: str, family: pd.Series) -> dict:
 
 
 def latex(lines: pd.DataFrame) -> str:
-    """A row a family."""
+    """A row per family."""
     rows = []
     for row in lines.itertuples():
         cells = [

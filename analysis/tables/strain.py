@@ -2,7 +2,7 @@
 # @name      strain-by-gap-table
 # @question  Strain by gap over that of an elastic layer, by Poisson ratio and thickness.
 # @data      strain_layer
-"""Strain by gap, and what follows from it, beside the elastic solution of a layer."""
+"""Strain by gap, and what follows from it, compared with the elastic solution of a layer."""
 
 import pandas as pd
 
@@ -18,7 +18,7 @@ def main(options) -> common.Table:
 
 
 def latex(layers: pd.DataFrame) -> str:
-    """Three thicknesses of each Poisson ratio."""
+    """Three thicknesses for each Poisson ratio."""
     head = [
         r" & & \multicolumn{3}{c}{by gap over elastic} & \multicolumn{4}{c}{elastic strain over that by gap} \\",
         r"\cmidrule(lr){3-5}\cmidrule(l){6-9}",

@@ -2,7 +2,7 @@
 # @name      thesis-figures
 # @question  Which figures of the thesis are made, and which are other people's pictures and are not?
 # @depends   analysis/common/borrowed_figures.csv analysis/figures/*.py
-"""Every figure of the thesis: what it is made as, or from whose picture the thesis took it (its own reference)."""
+"""Every figure of the thesis: what reproduces it, or from whose picture the thesis took it (its own reference)."""
 
 import pandas as pd
 
@@ -37,7 +37,7 @@ def main(options) -> common.Table:
 
 
 def latex(table: pd.DataFrame) -> str:
-    """Those that are not made, or not all of it."""
+    """The figures that are not reproduced, or only in part."""
     left = table[table.not_made != ""]
     lines = [[str(row.figure), row.not_made, common.tex(row.shows), common.tex(row.source)] for row in left.itertuples()]
     return common.tabular("@{}rlll@{}", [["figure", "not made", "shows", "whose"]], lines)

@@ -12,7 +12,7 @@
 # @name      table-9
 # @question  Time to test one pose by RSID and USID (Table 9 of the thesis).
 # @data      detection_time
-"""A timing table of the thesis, Table 3, 4, 8 or 9: thesis beside ours, times and ratios."""
+"""A timing table of the thesis (Table 3, 4, 8 or 9) compared with ours: times and ratios."""
 
 import common
 from common import timing

@@ -2,7 +2,7 @@
 # @name      touch-time
 # @question  How long does it take to know whether bones touch in a pose, ours beside FCL?
 # @data      touch_time
-"""Time of a pose by joint, kind of poses and whether they touch: a column a method, and our rate over FCL's."""
+"""Time of a pose by joint, kind of poses and whether they touch: a column per method, and our rate relative to FCL's."""
 
 import common
 

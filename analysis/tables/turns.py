@@ -2,7 +2,7 @@
 # @name      turns-by-method
 # @question  Who misses the first meeting of two features or meshes in a turn, who finds a false one, and in what time?
 # @data      turns turn_time
-"""The test set of turns (experiments/28_turns): misses, false hits and microseconds, ours beside others."""
+"""The test set of turns (experiments/28_turns): misses, false hits and microseconds, for our methods and others."""
 
 import pandas as pd
 
@@ -27,7 +27,7 @@ def main(options) -> common.Table:
 
 
 def latex(rows: pd.DataFrame) -> str:
-    """A line a kind, method and setting."""
+    """A line per kind, method and setting."""
     lines = [
         [
             common.tex(row.kind.replace("_", " and ")),

@@ -2,8 +2,8 @@
 # @name      motion-volume-times
 # @question  Which share of all rotations is free of contact, how soon is it proven, and how long does a grid of poses take?
 # @data      motion_volume motion_volume_methods
-"""The share of all rotations that is free, between proven ends, by how near these are to be; the time that takes, and the
-time of a grid of poses with the reach of the finest cells (extrapolated) and of random poses as sure as that.
+"""The share of all rotations that is free, between proven ends, by their distance; the time for this, for a grid of poses as
+fine as the finest cells (extrapolated), and for random poses that give the share as surely.
 """
 
 import pandas as pd
@@ -39,12 +39,12 @@ def main(options) -> common.Table:
 
 
 def between(low: float, high: float) -> str:
-    """Rounded outward."""
+    """An interval rounded outward."""
     return f"{common.rounded_down(low, 3)} to {common.rounded_up(high, 3)}"
 
 
 def latex(table: pd.DataFrame) -> str:
-    """A line a joint and width."""
+    """A line per joint and width."""
     others = [name for name in table if name.endswith(EXTRAPOLATED)]
     head = ["joint", "width", "free share", "reachable share", "cells", "time, s", "grid poses"]
     words = [*head, *(name.removesuffix(EXTRAPOLATED) + "*" for name in others)]

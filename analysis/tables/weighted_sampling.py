@@ -2,7 +2,7 @@
 # @name      weighted-sampling
 # @question  Error of gaps, entries and time of the thesis' weighted sampling (Eq. 16) on acetabular caps, beside the grid, the helix and equal areas.
 # @data      weighted_sampling
-"""Weighted sampling on every cap, against the grid that has as many entries."""
+"""Weighted sampling on every cap, compared with the grid that has as many entries."""
 
 import pandas as pd
 
@@ -25,7 +25,7 @@ def main(options) -> common.Table:
 
 
 def latex(table: pd.DataFrame) -> str:
-    """A cap in every row, root mean square and largest error by scheme; entries and times below."""
+    """A cap in every row: root mean square and largest error by scheme; entries and times below."""
     schemes = table.drop_duplicates("scheme")
     head = ["cap", *(f"\\multicolumn{{2}}{{c}}{{{common.tex(label)}}}" for label in schemes.label)]
     rows = []

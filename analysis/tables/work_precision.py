@@ -6,7 +6,7 @@
 # @name      ablation
 # @question  What do vector instructions, float, 16 bits, the layout and the mask each bring?
 # @options   --name NAME
-"""Error against time of all gaps, in numbers, and what each part of the kernel brings."""
+"""Error against time for all gaps, in numbers, and the gain from each part of the kernel."""
 
 import numpy as np
 import pandas as pd
@@ -34,7 +34,7 @@ def main(options) -> common.Table:
 
 
 def latex(steps: pd.DataFrame) -> str:
-    """A line a step."""
+    """A line per step."""
     lines = [
         [common.tex(row.step), *(common.digits(value, 3) for value in (row.pose_us, row.times, row.error_um, row.KiB))]
         for row in steps.itertuples()

@@ -3,11 +3,11 @@
 # @question  Which numbers of the thesis came out again?
 # @outputs   verdicts.csv
 # @depends   results/reference/verdicts.csv
-"""A verdict on every number of the thesis: its value beside ours, by a stated rule.
+"""A verdict on every number of the thesis: its value compared with ours, by a stated rule.
 
-Each module of MODULES has rows(results) for some of the thesis' tables. Formula values are reproduced when ours rounds
-to the digits that the thesis prints; what is measured when its whole range meets the rule, over rounds, stand-ins, readings of
-the thesis and the kept run.
+Each module of MODULES has rows(results) for some of the thesis' tables. A value from a formula is reproduced if ours rounds to
+the digits that the thesis prints. A measured value is reproduced if its whole range meets the rule: over rounds, stand-ins,
+readings of the thesis and the kept run.
 """
 
 from pathlib import Path

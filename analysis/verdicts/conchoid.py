@@ -16,7 +16,7 @@ CLAIM_TOLERANCE = 2  # percentage points; the thesis gives its claims in tens
 
 
 def rows(results: Path) -> list[dict]:
-    """Table 10, then Section 5.1."""
+    """The rows of Table 10, then of Section 5.1."""
     angles = common.load(results, "conchoid_angles")
     shape = common.load(results, "conchoid_shape").iloc[0]
     origins = common.load(results, "conchoid_origins").set_index("origin")
@@ -24,7 +24,7 @@ def rows(results: Path) -> list[dict]:
 
 
 def table_10(angles: pd.DataFrame) -> list[dict]:
-    """Eq. 16 with the thesis' rounded constants, as the table has it."""
+    """Table 10, by Eq. 16 with the thesis' rounded constants."""
     four = angles[angles.rays == RAYS].set_index("i")
     ours = pd.DataFrame(
         {
@@ -50,7 +50,7 @@ def table_10(angles: pd.DataFrame) -> list[dict]:
 
 
 def section_5_1(angles: pd.DataFrame, shape: pd.Series, origins: pd.DataFrame) -> list[dict]:
-    """One for each value."""
+    """A row for each value."""
     values = {(value.row, value.column): value for value in common.thesis("section-5.1").itertuples()}
     ratio = shape.a_over_b
     quarter, factor = (float(values["conchoid", name].value) for name in ("quarter_length_over_b", "length_factor"))
@@ -80,7 +80,7 @@ def section_5_1(angles: pd.DataFrame, shape: pd.Series, origins: pd.DataFrame) -
 
 
 def quarter_note(shape: pd.Series) -> str:
-    """What the closed form leaves out."""
+    """The note on what the closed form leaves out."""
     return (
         f"the closed form puts 2ab for a^2 + b^2; the exact length is {shape.quarter_over_b:.4f} b, "
         f"{shape.quarter_over_b / shape.closed_form_quarter_over_b - 1:.2%} longer, "
@@ -89,7 +89,7 @@ def quarter_note(shape: pd.Series) -> str:
 
 
 def largest_adjustment(value, angles: pd.DataFrame) -> dict:
-    """Over the rays of Figure 59."""
+    """The largest adjustment over the rays of Figure 59."""
     fine = angles[angles.rays == FINE_RAYS]
     moved = fine[["thesis_deg", "closed_form_deg", "exact_deg"]].sub(fine.original_deg, axis=0)
     at = fine.original_deg[moved.thesis_deg.idxmin()]
@@ -102,12 +102,12 @@ def largest_adjustment(value, angles: pd.DataFrame) -> dict:
 
 
 def within(percent: float, value) -> bool:
-    """Whether it meets a claim in tens of per cent."""
+    """Does the value meet a claim in tens of per cent?"""
     return abs(percent - float(value.value)) <= CLAIM_TOLERANCE
 
 
 def claim_row(value, measured: str, verdict: str, rule: str, note: str) -> dict:
-    """A claim in tens of per cent."""
+    """The row of a claim in tens of per cent."""
     return value_row(
         value,
         kind="computed",
@@ -120,13 +120,13 @@ def claim_row(value, measured: str, verdict: str, rule: str, note: str) -> dict:
 
 
 def excess(numerator: float, denominator: float) -> float:
-    """By how many per cent one is longer than the other."""
+    """By how many per cent one length exceeds the other."""
     return 100 * (numerator / denominator - 1)
 
 
 def centre_claim(value, origins: pd.DataFrame) -> dict:
-    """Segments in the middle against those at the bottom, from the centre of the object: it has one answer only if all
-    that may be meant by the centre agree.
+    """Segments in the middle compared with those at the bottom, from the centre of the object. There is one answer only if all
+    possible meanings of the centre agree.
     """
     centres = origins.drop(index="conchoid_origin")
     found = {
@@ -146,7 +146,7 @@ def centre_claim(value, origins: pd.DataFrame) -> dict:
 
 
 def origin_claim(value, origin: pd.Series) -> dict:
-    """Segments at the bottom against those at the top, from the conchoid's origin."""
+    """Segments at the bottom compared with those at the top, from the conchoid's origin."""
     short = 100 * (1 - origin.rim_mm_per_deg / origin.apex_mm_per_deg)
     note = (
         "(a + b) / sqrt(a^2 + b^2) by the thesis' own Eq. 12; "

@@ -2,9 +2,9 @@
 # @data      motion_frames motion_zones
 """Verdicts on the hips of two patients (Tables 11 to 13, Figure 42, the colours of Section 5.2).
 
-The recorded angles are input. The zones that the thesis reports cannot be held against ours: the patients' scans are
-not public, and our stand-ins were shaped so that zones fall there. What was found on them is measured all the same,
-and the note says whether it agrees.
+The recorded angles are input. The zones that the thesis reports cannot be compared with ours: the patients' scans are not
+public, and our stand-ins were shaped so that zones lie there. Ours are measured all the same, and the note says whether
+they agree.
 """
 
 from pathlib import Path
@@ -26,7 +26,7 @@ RULE = (
 
 
 def rows(results: Path) -> list[dict]:
-    """Table 11, then the zones."""
+    """The rows of Table 11, then of the zones."""
     ends = replay.ends(results)
     lines = [recorded(value, ends) for value in common.thesis("table-11").itertuples()]
     for artefact, patient in PATIENTS.items():
@@ -43,7 +43,7 @@ def rows(results: Path) -> list[dict]:
 
 
 def motion_row(value, red: set[str]) -> dict:
-    """At the ends of which motions the gaps are smallest: on the stand-in, red."""
+    """At the ends of which motions the stand-in's gaps are smallest, which is red in the thesis."""
     theirs = set(value.value.split(", "))
     return value_row(
         value,
@@ -56,7 +56,7 @@ def motion_row(value, red: set[str]) -> dict:
 
 
 def recorded(value, ends: pd.DataFrame) -> dict:
-    """An angle that was given; refused if another was replayed."""
+    """An angle that was given. Refused if another angle was replayed."""
     used = ends.loc[(value.column, value.row)].angle_deg
     if used != float(value.value):
         raise common.Refused(
@@ -67,7 +67,7 @@ def recorded(value, ends: pd.DataFrame) -> dict:
 
 
 def stretches(text: str) -> list[tuple[float, float]]:
-    """1-2 or 7 and the like, hours; a single hour is half an hour to either side."""
+    """Stretches in hours from texts such as 1-2 or 7; a single hour means half an hour to either side."""
     parts = [part.split("-") for part in text.split(" and ")]
     return [
         (float(part[0]), float(part[1])) if len(part) == 2 else (float(part[0]) - 0.5, float(part[0]) + 0.5)
@@ -76,14 +76,14 @@ def stretches(text: str) -> list[tuple[float, float]]:
 
 
 def inside(zone, stretch: tuple[float, float]) -> bool:
-    """Whether a zone lies within a stretch and NEAR of it."""
+    """Does a zone lie within a stretch, or at most NEAR outside it?"""
     low, high = stretch[0] - NEAR, stretch[1] + NEAR
     start = (zone.from_hours - low) % 12
     return start + (zone.to_hours - zone.from_hours) % 12 <= (high - low) % 12
 
 
 def zone_row(value, found: pd.DataFrame, note: str) -> dict:
-    """What was found on the stand-in, in hours."""
+    """The zone that was found on the stand-in, in hours."""
     printed = stretches(value.value)
     within = [any(inside(zone, stretch) for stretch in printed) for zone in found.itertuples()]
     share = found.area_mm2[within].sum() / found.area_mm2.sum() if len(found) else 0.0

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @data      lut_memory fill_memory
-"""Verdicts on entries, turns and memory (Tables 2, 6 and 7, Figure 47, and what the text says of them): what our tables really take."""
+"""Verdicts on entries, turns and memory (Tables 2, 6 and 7, Figure 47, and the text about them), by what our tables really
+take."""
 
 import math
 from pathlib import Path
@@ -23,7 +24,7 @@ GRID = "grid_"  # how columns on RSID begin in tables on USID
 
 
 def rows(results: Path) -> list[dict]:
-    """One for each value of the tables, then those in the text."""
+    """A row for each value in the tables, then for each in the text."""
     table = common.load(results, "lut_memory").set_index(["scheme", "precision_deg"])
     peaks = common.load(results, "fill_memory").set_index(["method", "precision_deg"]).peak_bytes
     lines = [line for artefact, scheme in memory.SCHEMES.items() for line in table_rows(table, peaks, artefact, scheme)]
@@ -31,7 +32,7 @@ def rows(results: Path) -> list[dict]:
 
 
 def table_rows(table, peaks, artefact: str, scheme: str) -> list[dict]:
-    """One for each value; of USID, both readings."""
+    """A row for each value in the tables; for USID, by both readings."""
     lines = []
     values = common.thesis(artefact)
     for value in values.itertuples():
@@ -53,7 +54,7 @@ def table_rows(table, peaks, artefact: str, scheme: str) -> list[dict]:
 
 
 def text_rows(table) -> list[dict]:
-    """What Sections 3.4 and 3.5.1 say of these numbers, and 3.6.3 of the finest grid."""
+    """What Sections 3.4 and 3.5.1 say about these numbers, and Section 3.6.3 about the finest grid."""
     points = table.xs(memory.SCHEMES["table-2"])
     finest = points.loc[common.number(FINEST)]
     at = {(value.artefact, value.row, value.column): value for value in common.thesis().itertuples()}
@@ -97,8 +98,8 @@ def helix_rows() -> list[dict]:
 
 
 def equator_row(value, line, arcs) -> dict:
-    """Entries that were counted on the turns of the helix that cross the equator: they are not whole turns, so that there
-    is one more or less by where a turn begins, and by how entries are placed along the curve.
+    """The entries that were counted on the helix's turns across the equator. Entries do not divide a turn exactly, so a turn
+    has one more or less, depending on where it begins and on how entries are placed along the curve.
     """
     good = {one.equator_least <= int(value.value) <= one.equator_most for one in (line, arcs)}
     least, most = (int(line[name]) for name in ("equator_least", "equator_most"))
@@ -115,8 +116,8 @@ def equator_row(value, line, arcs) -> dict:
 
 
 def contradiction(value, values) -> dict[str, str]:
-    """Does the memory that is printed round from the entries that the same row prints? If not, the number is a
-    slip of the thesis.
+    """Does the printed memory contradict the entries in the same row? It does if it cannot be rounded from them; then the
+    number is a slip of the thesis.
     """
     entries = values[(values.row == value.row) & (values.column == "lut_entries")]
     if value.column != "memory" or entries.empty:

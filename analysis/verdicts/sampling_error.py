@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @data      sampling_error slices slice_band_limit finding_grids
-"""Verdicts on the sampling error (Table 5), on the slices of a scan (Section 3.5.2) and on another's grids (Section 3.6.3)."""
+"""Verdicts on the sampling error (Table 5), on the slices of a scan (Section 3.5.2) and on another author's grids (Section
+3.6.3)."""
 
 import math
 from pathlib import Path
@@ -13,12 +14,12 @@ COLUMNS = {"max_error": "formula_max_mm", "relative_error": "formula_relative"} 
 
 
 def rows(results: Path) -> list[dict]:
-    """Those of all three."""
+    """The rows of all three."""
     return formula_rows(results) + slice_rows(results) + grid_rows(results)
 
 
 def formula_rows(results: Path) -> list[dict]:
-    """Eq. 7 and 8; the note tells the error of the radius, which is another thing."""
+    """Eq. 7 and 8; the note gives the error of the radius, which is something else."""
     ours = common.load(results, "sampling_error")
     ours = ours[ours.scheme == SCHEME].set_index("precision_deg")
     lines = []
@@ -29,7 +30,7 @@ def formula_rows(results: Path) -> list[dict]:
 
 
 def note(line) -> str:
-    """What the number is, and the error of the radius where it was measured."""
+    """The note: what the number is, and the error of the radius if it was measured."""
     text = "a distance along the surface from an entry, not an error of the radius"
     if math.isnan(line.measured_max_mm):
         return f"{text}, which is not measured at this precision in the quick profile"
@@ -40,7 +41,7 @@ def note(line) -> str:
 
 
 def slice_rows(results: Path) -> list[dict]:
-    """Number of slices, smallest gap, and the half of it that is asked for."""
+    """Number of slices, smallest gap, and half of that gap, which the thesis requires."""
     slices = common.load(results, "slices")
     limits = common.load(results, "slice_band_limit").set_index("distance")
     middle = limits.loc["slices, middle"]
@@ -67,7 +68,7 @@ def slice_rows(results: Path) -> list[dict]:
 
 
 def grid_rows(results: Path) -> list[dict]:
-    """N rows of N columns: 180 degrees by N, and 360 by N."""
+    """Grids of N rows and N columns: steps of 180 degrees / N and 360 degrees / N."""
     grids = common.load(results, "finding_grids").set_index("side")
     lines = []
     for value in common.thesis("section-3.6.3").itertuples():

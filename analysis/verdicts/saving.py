@@ -13,7 +13,7 @@ PRECISION = 1.0  # degrees, of what is said of one precision
 
 
 def rows(results: Path) -> list[dict]:
-    """One, of all precisions of the thesis and both readings of its helix, with the other meanings in its note."""
+    """One row for all precisions of the thesis and both readings of its helix; its note has the other meanings."""
     table = common.load(results, "lut_memory")
     precisions = [common.number(name) for name in common.thesis("table-7").row.unique()]
     table = table[table.precision_deg.isin(precisions)].pivot(index="precision_deg", columns="scheme")

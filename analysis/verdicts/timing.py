@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @data      sampling_time detection_time
-"""Verdicts on times (Tables 3, 4, 8 and 9). A time on another machine says nothing by itself; what can be compared is
-which method is faster, by how much, and how its time grows, and those have rows of their own.
+"""Verdicts on times (Tables 3, 4, 8 and 9). A time on another machine says nothing by itself. What can be compared is
+which method is faster, by how much, and how its time grows; these have rows of their own.
 
-Each is a range: over the rounds of both times, the joints of a row, the readings of the thesis (counterparts.csv) and what
-another machine may change. Table 3 stands in Table 8 again and Table 4 in Table 9: their numbers are counted there.
+Each is a range: over the rounds of both times, the joints of a row, the readings of the thesis (counterparts.csv), and what
+another machine may change. Table 8 repeats Table 3, and Table 9 repeats Table 4; their numbers are counted once.
 """
 
 import math
@@ -27,7 +27,7 @@ AGAIN = {"table-3": timing.TABLE_8, "table-4": timing.TABLE_9}  # where the thes
 
 
 class Times:
-    """Ours and the thesis' times of a table."""
+    """Our times and the thesis' times of a table."""
 
     def __init__(self, results: Path, table: timing.TimingTable):
         self.table = table
@@ -37,11 +37,11 @@ class Times:
         self.by_name = {(line[table.key], line.joint, line.method): line for _, line in self.lines.iterrows()}
 
     def joints(self, key: float) -> list[str]:
-        """Those of a row, the stand-ins for the thesis' one."""
+        """The joints of a row, which stand in for the thesis' single one."""
         return list(self.lines[self.lines[self.table.key] == key].joint.unique())
 
     def ways(self, key: float, columns: list[str]) -> dict[str, dict[str, pd.Series]]:
-        """Every way to have our times of these columns in a row, named by joint and reading; what is the same once."""
+        """Every way to choose our times for these columns in a row, by joint and reading; equal ones only once."""
         found: dict[str, dict[str, pd.Series]] = {}
         seen = set()
         named = common.reading_names(self.table.artefact)
@@ -57,7 +57,7 @@ class Times:
         return found
 
     def trend(self, column: str) -> tuple[float, Range]:
-        """The power of the size that the ratio to the reference grows with, there and here."""
+        """The power of the size with which the ratio to the reference grows, in the thesis and here."""
         keys = [key for key, name in self.thesis if name == column and math.isfinite(self.thesis[key, column])]
         keys = [key for key in keys if self.ways(key, [column, timing.REFERENCE])]
         sizes = pd.Series([1 / key if self.table.key == "precision_deg" else key for key in keys])
@@ -69,7 +69,7 @@ class Times:
         return theirs, union(found)
 
     def choices(self, keys: list[float], columns: list[str]) -> list[list[dict[str, pd.Series]]]:
-        """A way for each row, by one reading, with each joint of the last rows."""
+        """Lists of ways: one for each row, by one reading, with each joint of the last rows."""
         found = []
         for methods in self.readings:
             for joint in {joint: 0 for key in keys for joint in self.joints(key)}:
@@ -81,7 +81,7 @@ class Times:
 
 
 def rows(results: Path) -> list[dict]:
-    """Those of every timing table."""
+    """The rows of every timing table."""
     found = {table.artefact: timing_rows(Times(results, table)) for table in timing.TABLES}
     for artefact, again in AGAIN.items():
         found[artefact] = [once(line, again, found[again.artefact]) for line in found[artefact]]
@@ -89,7 +89,7 @@ def rows(results: Path) -> list[dict]:
 
 
 def doubts(*lines: pd.Series) -> list[str]:
-    """What a reader must know of the times of ours that a row rests on."""
+    """What a reader must know about our times behind a row."""
     notes = []
     if any(line.extrapolated for line in lines):
         notes.append("ours is extrapolated from a smaller run")
@@ -99,7 +99,7 @@ def doubts(*lines: pd.Series) -> list[str]:
 
 
 def sides(judgements: dict[str, bool | None], found: dict[str, Range]) -> list[str]:
-    """What each way says, where there are several or it does not decide."""
+    """The result of each way, if there are several or the result is open."""
     if len(found) == 1 and all_of(judgements.values()) is not None:
         return []
     words = {True: "meets the rule", False: "does not", None: "may or may not"}
@@ -108,7 +108,7 @@ def sides(judgements: dict[str, bool | None], found: dict[str, Range]) -> list[s
 
 
 def tests(table: timing.TimingTable, line: pd.Series) -> float:
-    """What the pairwise way tests: each ray of two RSID tables against each triangle of its model, or each pair of
+    """Number of tests of the pairwise way: each ray of two RSID tables against each triangle of its model, or each pair of
     triangles.
     """
     if table.key == "triangles":
@@ -117,7 +117,7 @@ def tests(table: timing.TimingTable, line: pd.Series) -> float:
 
 
 def against_the_thesis(table: timing.TimingTable, line: pd.Series) -> str:
-    """How our time of a method compares with the thesis', and of the pairwise way that of one test."""
+    """How our time of a method compares with the thesis', and for the pairwise way how the time of one test does."""
     gain = line.thesis_ms / line.measured_ms
     times = f"1/{gain:.3g} of" if gain >= 1 else f"{1 / gain:.3g} times"
     text = f"{common.label(line.method)} takes {times} the thesis' time"
@@ -128,7 +128,7 @@ def against_the_thesis(table: timing.TimingTable, line: pd.Series) -> str:
 
 
 def ticks(table: timing.TimingTable, *lines: pd.Series) -> list[str]:
-    """That a time of Table 8 is hardly longer than a tick of the thesis' clock."""
+    """Notes that a time of Table 8 is hardly longer than a tick of the thesis' clock."""
     if table.data != timing.TABLE_8.data:
         return []
     short = sorted({line.thesis_ms for line in lines if round(line.thesis_ms / timing.TICK_MS) < 3})
@@ -137,7 +137,7 @@ def ticks(table: timing.TimingTable, *lines: pd.Series) -> list[str]:
 
 
 def time_row(times: Times, value) -> dict:
-    """A time: given for the reader, not judged."""
+    """A time, for the reader; it is not judged."""
     key = common.number(value.row)
     ways = [way[value.column] for way in times.ways(key, [value.column]).values()]
     notes = ["not measured in this run"]
@@ -157,7 +157,7 @@ def time_row(times: Times, value) -> dict:
 
 
 def ratio_row(times: Times, name: str, column: str) -> dict:
-    """How many times the thesis' own method is faster than another, there and here."""
+    """How many times faster the thesis' own method is than another, in the thesis and here."""
     key = common.number(name)
     ways = times.ways(key, [column, timing.REFERENCE])
     theirs = times.thesis[key, column] / times.thesis[key, timing.REFERENCE]
@@ -193,12 +193,12 @@ def ratio_row(times: Times, name: str, column: str) -> dict:
 
 
 def what_grows(table: timing.TimingTable) -> str:
-    """The size of a row of the table."""
+    """What the size of a row of the table is."""
     return "1 / precision" if table.key == "precision_deg" else "the triangles"
 
 
 def order_row(times: Times, name: str, columns: list[str]) -> dict:
-    """Which method is faster: fastest first, under the thesis' names. Every ratio of one and the next is above 1, or not."""
+    """Which method is faster: the fastest first, by the thesis' names. Every ratio of one to the next is above 1, or not."""
     key = common.number(name)
     theirs = sorted(columns, key=lambda column: times.thesis[key, column])
     ways = times.ways(key, columns)
@@ -229,7 +229,7 @@ def order_row(times: Times, name: str, columns: list[str]) -> dict:
 
 
 def growth_row(times: Times, column: str) -> dict:
-    """How the times of a method grow, where both have one; beside it in the note, our other ways to do the same."""
+    """How the times of a method grow, if both have one; the note has our other ways to do the same."""
     known = [key for key, name in times.thesis if name == column and math.isfinite(times.thesis[key, column])]
     choices = times.choices(known, [column])
     scaled = any(way[column].extrapolated for way in choices[0])
@@ -267,7 +267,7 @@ def growth_row(times: Times, column: str) -> dict:
 
 
 def timing_rows(times: Times) -> list[dict]:
-    """Every time of the table, then for each of its rows the ratios and the order, then the growth."""
+    """Every time of the table; then for each of its rows the ratios and the order; then the growth."""
     values = common.thesis(times.table.artefact)
     rows = [time_row(times, value) for value in values.itertuples()]
     for name in values.row.unique():
@@ -283,7 +283,7 @@ def timing_rows(times: Times) -> list[dict]:
 
 
 def once(line: dict, again: timing.TimingTable, theirs: list[dict]) -> dict:
-    """The line, not counted where the other table has the same number, or an order that holds this one."""
+    """The row, not counted if the other table has the same number, or an order that contains this one."""
     name = (line["row"], line["column"])
     twin = next((other for other in theirs if (other["row"], other["column"]) == name), None)
     if twin is None or line["rule"].startswith(NOT_COUNTED):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a verdict is: one line of verdicts.csv, and the rules that several tables share."""
+"""A verdict is one line of verdicts.csv. This has the rules that several tables share."""
 
 from collections.abc import Iterable
 
@@ -15,8 +15,8 @@ VERDICTS = ("reproduced", "differs", "inconclusive", "thesis-misprint", "not-com
 
 
 def row(artefact: str, name: str, column: str, **rest: object) -> dict[str, object]:
-    """One line of verdicts.csv; what is not given stays empty. Measured, unless `kind` says that it was computed: follows from
-    formulas, without a clock or a joint.
+    """One line of verdicts.csv; what is not given stays empty. `kind` is measured, or computed for what follows from formulas,
+    without a clock or a joint.
     """
     return {**dict.fromkeys(COLUMNS, ""), "artefact": artefact, "row": name, "column": column, "kind": "measured", **rest}
 
@@ -27,7 +27,7 @@ def value_row(value, **rest: object) -> dict[str, object]:
 
 
 def not_counted(line: dict[str, object], why: str) -> dict[str, object]:
-    """The same line, left out of every sum: its number is counted elsewhere, or is none."""
+    """The same line without being counted in sums: its number is counted elsewhere, or there is none."""
     return {**line, "rule": NOT_COUNTED + why, "tolerance": ""}
 
 
@@ -37,25 +37,25 @@ def ranged(found: Range, significant: int = 4) -> dict[str, str]:
 
 
 def judged(good: bool | None) -> str:
-    """The verdict on a range all of which meets the rule, or none, or some."""
+    """The verdict on a range of which all, nothing, or only a part meets the rule."""
     return {True: "reproduced", False: "differs", None: "inconclusive"}[good]
 
 
 def counted(rows: pd.DataFrame) -> pd.DataFrame:
-    """The rows that sums are made of: each number of the thesis once."""
+    """The rows that sums count: each number of the thesis once."""
     return rows[~rows.rule.str.startswith(NOT_COUNTED)]
 
 
 def rounds_to(measured: float, printed: str) -> bool:
-    """Whether the value has the printed digits when it is rounded to as many."""
+    """Does the value have the printed digits when it is rounded to as many?"""
     decimals = len(printed.partition(".")[2])
     return float(f"{measured:.{decimals}f}") == float(printed)  # as numbers: -0 is 0
 
 
 def printed_row(value, measured: float, note: str = "", otherwise: str = "differs", also: Iterable[float] = ()) -> dict[str, object]:
-    """A value that follows from a formula: reproduced when ours rounds to the digits printed, or else what
-    `otherwise` says; the note goes with it. `also` are further values that the thesis may mean: all must round so, or none.
-    value is a line of common.thesis().
+    """A value that follows from a formula. It is reproduced if ours rounds to the printed digits, else `otherwise` is the
+    verdict; the note is added. `also` are further values that the thesis may mean: all must round so, or none. `value` is a
+    line of common.thesis().
     """
     every = [measured, *also]
     good = {rounds_to(one, value.value) for one in every}
@@ -71,5 +71,5 @@ def printed_row(value, measured: float, note: str = "", otherwise: str = "differ
 
 
 def input_row(value, rule: str = "given, not computed") -> dict[str, object]:
-    """A value that the thesis takes from elsewhere and we take from it, or that could not be another."""
+    """A value that both the thesis and we take from elsewhere, or that could not be different."""
     return value_row(value, measured=value.value, rule=rule, verdict="input")

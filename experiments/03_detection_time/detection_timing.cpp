@@ -45,7 +45,7 @@ std::vector<TimedCase> benchmark_cases(const std::vector<BenchmarkJoint>& joints
   return cases;
 }
 
-// USID by the other reading of the thesis, entries at equal arcs.
+// USID in the other reading of the thesis, with entries at equal arcs.
 TouchCase equal_arcs(const BallSocketPair& pair, double precision_deg) {
   const auto scan =
       std::make_shared<TableScan<UsidArc>>(pair.ball, pair.socket, make_tables<UsidArc>(pair, precision_deg));

@@ -6,11 +6,10 @@
 // @seconds   54 330
 // @links     harness real_joints methods touch_methods hip
 //
-// Tables 4 and 9 have "generic models" up to 3,000 triangles, here the generated pair, and the "real model
-// from CT" of a patient at 12,000. His hip is not public. In its place are the generated pair and the
-// generated stand-in for him (hip/hip_presets.hpp), with 12,000 triangles on both surfaces, and of the real
-// joints that are given the one whose numbers of triangles are nearest to that. A time is the mean over the
-// six poses of pose_set.hpp.
+// Tables 4 and 9 have "generic models" of up to 3,000 triangles (here the generated pair) and the "real model
+// from CT" of a patient with 12,000, which is not public. Three joints replace it: the generated pair and the
+// generated stand-in for the patient (hip/hip_presets.hpp), with 12,000 triangles on both surfaces, and the
+// given real joint with the nearest numbers of triangles. A time is the mean over six poses (pose_set.hpp).
 
 #include <algorithm>
 #include <array>
@@ -30,11 +29,11 @@ using namespace impinge::lab;
 
 constexpr std::array<std::size_t, 3> kLevels{300, 1000, 3000};  // triangles of each generic model
 constexpr std::size_t kHipLevel = 12000;                        // of each model of the patient
-constexpr const char* kPatient = "patient_a";                   // his stand-in
-// Of the tables in Tables 4 and 9. The thesis does not say which one it took; its time grows faster than the
-// triangles, as it does when the tables are larger than the cache.
+constexpr const char* kPatient = "patient_a";                   // stand-in for the patient
+// Precision of the tables in Tables 4 and 9. The thesis does not state it; its time grows faster than the
+// number of triangles, as it does when tables are larger than the cache.
 constexpr double kPrecision = 0.1;
-constexpr double kMostPairsInQuick = 1e7;  // 3,000 triangles against 3,000, not 12,000 against 12,000
+constexpr double kMostPairsInQuick = 1e7;  // pairs: 3,000 triangles against 3,000, not 12,000 against 12,000
 
 const Column kMethod{"method", "", "pairwise triangles, OBB trees of FCL, or two scans of the tables"};
 const Column kTriangles{"triangles", "1",
@@ -60,7 +59,7 @@ double off_level(const RealJoint& joint) {
   return off(joint.meshes.ball) + off(joint.meshes.socket);
 }
 
-// A scan looks up each vertex of both models once: its time divided by their number is that of one query.
+// A scan looks up each vertex of both models once. Its time divided by their number is the time of one query.
 void body(DriverRun& run) {
   std::vector<BenchmarkJoint> joints;
   const auto add = [&](const BallSocketPair& pair, std::size_t level, const std::string& joint) {

@@ -146,7 +146,7 @@ std::vector<double> face_sagittas(const TriangleMesh& mesh) {
     const double product = (corner(f, 1) - corner(f, 0)).norm() * (corner(f, 2) - corner(f, 1)).norm() *
                            (corner(f, 0) - corner(f, 2)).norm();
     const double circumradius = product / (2.0 * normal[f].norm());
-    const double share = std::min(circumradius * bend[f], 1.0);  // a half sphere stands out no farther
+    const double share = std::min(circumradius * bend[f], 1.0);  // no farther than a half sphere
     sagittas.push_back(circumradius * share / (1.0 + std::sqrt(1.0 - share * share)));
   }
   return sagittas;

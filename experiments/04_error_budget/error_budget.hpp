@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The error budget of a gap: what each stage between the true surface and the number that is read adds to it.
+// The error budget of a gap: what each stage from the true surface to the stored number adds.
 //
 //   mesh         flat faces for a curved socket, measured where its surface has a formula
 //   centre       the table is filled about a centre of rotation that is not the true one
@@ -7,9 +7,9 @@
 //   arithmetic   double instead of extended precision in the look-up
 //   storage      entries rounded to fewer bits
 //
-// A stage is the difference of two gaps of the same vertex, one taken with what the stage adds and one
-// without, all else alike. What is wrong with the last gap is therefore the sum of the stages, vertex by
-// vertex; that the sums agree checks that no stage was left out.
+// A stage is the difference of two gaps of the same vertex, with and without what the stage adds, all else
+// alike. The error of the last gap is therefore the sum of the stages, vertex by vertex. That the sums agree
+// checks that no stage was left out.
 #pragma once
 
 #include <cmath>
@@ -26,36 +26,36 @@
 
 namespace impinge::lab {
 
-// A joint whose gaps are taken apart.
+// A joint whose error budget is made.
 struct BudgetJoint {
   std::string name;                  // in the results
   BallSocketPair meshes;             // about the true centre, mm
-  Vec3 wrong_centre = Vec3::Zero();  // that the table is filled about, in the same frame
+  Vec3 wrong_centre = Vec3::Zero();  // the table is filled about this point, in the same frame
   // Radius of the true socket along a unit vector, mm; empty where nobody knows it.
   std::function<double(const Vec3&)> socket_radius;
 };
 
-// Gaps of the ball's vertices against the socket in the pose as given, mm, one list a stage: the first is the
-// truth that is known, each further one has one source of error more. NaN where there is no gap.
+// Gaps of the ball's vertices against the socket in the given pose, mm, one list per stage. The first list is
+// the known truth; each further one has one more source of error. NaN where there is no gap.
 struct Stage {
   std::string_view adds;    // the name of the stage that leads here; empty for the first
   std::vector<double> gap;  // mm, by vertex
 };
 
-// The exact stages: truth, mesh and centre, which no table has a part in.
+// The exact stages, without any table: truth, mesh and centre.
 std::vector<Stage> exact_stages(const BudgetJoint& joint);
 
 // The stages of one table after the exact ones, for each way to store it.
 struct StoredStages {
   std::string_view storage;   // double, float or uint16
-  std::vector<Stage> stages;  // from the table on
+  std::vector<Stage> stages;  // from the stage `table` on
 };
 
-// Vertices of the ball seen from the centre that the table is filled about, mm.
+// Vertices of the ball relative to the wrong centre, mm.
 std::vector<Vec3> seen_from_wrong_centre(const BudgetJoint& joint);
 TriangleMesh socket_about_wrong_centre(const BudgetJoint& joint);  // the socket's mesh in the same frame, mm
 
-// Of those vertices, mm, looked up in extended precision with the stencil and the entries as doubles.
+// Gaps of those vertices, mm, looked up in extended precision; stencil and entries are doubles.
 template <SamplingScheme S>
 std::vector<double> extended_gaps(const RadialTable<S>& table, const std::vector<Vec3>& vertices) {
   std::vector<double> gaps;
@@ -75,7 +75,7 @@ std::vector<double> extended_gaps(const RadialTable<S>& table, const std::vector
   return gaps;
 }
 
-// Of those vertices, mm, in double, from any kind of table.
+// Gaps of those vertices, mm, in double, from any kind of table.
 template <class AnyTable>
 std::vector<double> computed_gaps(const AnyTable& table, const std::vector<Vec3>& vertices) {
   std::vector<double> gaps;
@@ -84,7 +84,7 @@ std::vector<double> computed_gaps(const AnyTable& table, const std::vector<Vec3>
   return gaps;
 }
 
-// The stages of the tables of one scheme, filled exactly: in double, in float and in 16 bits.
+// The stages for the tables of one scheme, filled exactly and stored in double, in float and in 16 bits.
 template <SamplingScheme S>
 std::vector<StoredStages> table_stages(const BudgetJoint& joint, const S& scheme) {
   const std::vector<Vec3> vertices = seen_from_wrong_centre(joint);
@@ -100,7 +100,7 @@ std::vector<StoredStages> table_stages(const BudgetJoint& joint, const S& scheme
 // The columns of error_budget.csv, without any row.
 Table budget_table();
 
-// Key columns of the rows of one table.
+// Key columns for the rows of one table.
 struct BudgetCase {
   std::string_view joint;      // its name
   std::string_view scheme;     // its name
@@ -108,16 +108,16 @@ struct BudgetCase {
   std::string_view storage;    // of the entries
 };
 
-// Adds one row a stage, one of the total (last gap minus first) and one of the sums of what the stages have
-// at most. Vertices that one of the stages gives no gap are counted and left out of all. Throws
-// std::logic_error where the stages of a vertex do not add up to its total.
+// Adds one row per stage, one for the total (last gap minus first) and one for the sum of the stages'
+// largest values. A vertex without a gap in one of the stages is counted and left out of all. Throws
+// std::logic_error if the stages of a vertex do not add up to its total.
 void add_budget(Table& table, const BudgetCase& now, const std::vector<Stage>& stages);
 
-// Estimate of how far the surface behind a mesh stands out from its faces, mm, one value a face: the sagitta
-// R - sqrt(R^2 - rho^2) of a sphere over the face, rho the circumradius of the face and 1 / R the curvature
-// across its most bent edge, the angle between two faces by the distance of their centroids (at most that of
-// a half sphere). It takes the surface for smooth: noise of the vertices counts as curvature. For a mesh of
-// which nothing else is known.
+// Estimates how far the surface behind a mesh stands out from its faces, mm, one value per face. It is the
+// sagitta R - sqrt(R^2 - rho^2) of a sphere over the face: rho is the circumradius of the face, 1 / R the
+// curvature across its most bent edge, which is the angle between two faces divided by the distance of their
+// centroids. The sagitta is at most a half sphere's. The surface is taken as smooth, so noise of the vertices
+// counts as curvature. Meant for a mesh of which nothing else is known.
 std::vector<double> face_sagittas(const TriangleMesh& mesh);
 
 // Adds a row of stage mesh_estimate.

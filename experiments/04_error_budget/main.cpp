@@ -6,9 +6,9 @@
 // @seconds   2 40
 // @links     harness real_joints table hip reference
 //
-// The generated pair has a formula, so that the error of its mesh is measured; that of a real joint is
-// estimated from the angles between its faces. The centre that is wrong is the one that a sphere fitted to
-// the ball gives; the true one is that of the pair, or of the joint's subject.json.
+// The generated pair has a formula, so the error of its mesh is measured; for a real joint it is estimated
+// from the angles between its faces. The wrong centre is that of a sphere fitted to the ball; the true centre
+// is that of the pair, or of the joint's subject.json.
 
 #include <array>
 

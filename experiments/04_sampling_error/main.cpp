@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  How wrong is the radius that a table gives, beside the thesis' formula? (Table 5, Eq. 7-8)
+// @question  How wrong is a table's radius, compared with the thesis' formula? (Table 5, Eq. 7-8)
 // @writes    sampling_error sampling_error_proven sampling_error_sphere sampling_error_bounds
 // @timing    no
 // @seconds   11 320
 // @links     harness table reference
 //
-// Eq. 7 is a distance along the surface. The distance that matters is that of the radius: it is measured on
-// the generated head of 44 mm, against CGAL's exact arithmetic.
+// Eq. 7 is a distance along the surface; what matters is the error of the radius. It is measured on the
+// generated head of 44 mm, against CGAL's exact arithmetic.
 
 #include <array>
 #include <concepts>
@@ -20,8 +20,8 @@ using namespace impinge;
 using namespace impinge::lab;
 
 constexpr std::array kPrecisions{1.0, 0.5, 0.1, 0.05};  // degrees
-constexpr double kFinestInQuick = 0.1;                  // that is measured; the formula is given for all
-constexpr double kFinestProvenInQuick = 0.5;            // of RSID, the scheme of Table 5
+constexpr double kFinestInQuick = 0.1;        // finest that is measured; the formula is given for all
+constexpr double kFinestProvenInQuick = 0.5;  // for RSID, the scheme of Table 5
 
 struct MeasureScheme {
   DriverRun& run;

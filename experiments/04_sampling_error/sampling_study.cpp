@@ -13,7 +13,7 @@
 namespace impinge::lab {
 namespace {
 
-constexpr double kPolarCells = 3.0;  // directions close to a pole are within this many spacings of it
+constexpr double kPolarCells = 3.0;  // directions within so many spacings of a pole are close to it
 
 const Column kScheme{"scheme", "", "name of the sampling scheme"};
 const Column kPrecision{"precision_deg", "deg", "spacing of the entries at the equator"};
@@ -73,7 +73,7 @@ SamplingStudy make_sampling_study(const StudyOptions& options) {
 
 void add_proven_row(SamplingStudy& study, const StudyCase& now, double measured_max,
                     const TableBound& bound) {
-  const double rounding = 1e-12 * study.radius;  // of the truth
+  const double rounding = 1e-12 * study.radius;  // rounding of the truth
   if (!(measured_max <= bound.bound_mm + rounding)) {
     throw std::runtime_error(std::string(now.scheme) + " at " + std::to_string(now.precision) +
                              " degrees errs by " + std::to_string(measured_max) +

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The study of the sampling error: what a look-up answers beside the truth, for one scheme and precision
-// after the other. Each adds its rows to the tables.
+// The study of the sampling error: the answer of a look-up compared with the truth. Each scheme and precision
+// adds its rows to the tables.
 #pragma once
 
 #include <algorithm>
@@ -20,22 +20,22 @@
 
 namespace impinge::lab {
 
-// The thesis' error formula, and what theory promises of a look-up on a plane.
+// The thesis' error formula, and the theoretical error of a look-up on a plane.
 
-// Eq. 7 of the thesis, mm: sqrt(2) pi r / n for n entries on the equator. Half the diagonal of a cell there,
-// measured along a sphere of radius r: how far a point of the surface may be from an entry, not how wrong a
-// radius is.
+// Eq. 7 of the thesis, mm: sqrt(2) pi r / n for n entries on the equator. It is half the diagonal of a cell
+// there, along a sphere of radius r. A point of the surface may be so far from an entry; it is no error of a
+// radius.
 inline double thesis_sampling_error(double radius, std::size_t equator_points) {
   return std::sqrt(2.0) * kPi * radius / static_cast<double>(equator_points);
 }
 
-// Eq. 8: the same as a share of the radius.
+// Eq. 8: Eq. 7 as a share of the radius.
 inline double thesis_relative_error(std::size_t equator_points) {
   return thesis_sampling_error(1.0, equator_points);
 }
 
-// What a table answers along u when its entry i holds entry_radius(i): linear in r, equal to
-// RadialTable::radius_at() away from a rim, bit for bit. Only the entries that are read are computed.
+// The answer of a table along u if its entry i holds entry_radius(i). It is linear in r and, away from a rim,
+// equal to RadialTable::radius_at() bit for bit. Only the entries that are read are computed.
 template <SamplingScheme S, class EntryRadius>
 double smooth_radius(const S& scheme, const Vec3& u, const EntryRadius& entry_radius) {
   const Stencil stencil = scheme.stencil(u);
@@ -46,7 +46,7 @@ double smooth_radius(const S& scheme, const Vec3& u, const EntryRadius& entry_ra
   return radius;
 }
 
-// The plane n.x = p, examined up to an incidence of `steepest` radians. Directions are unit vectors.
+// The plane n.x = p, used up to an incidence of `steepest` radians. Directions are unit vectors.
 struct SlantedPlane {
   Vec3 normal = Vec3(0.48, 0.6, 0.64);  // n, unit: no line of a grid runs along or round it
   double distance = 22.0;               // p, mm
@@ -54,7 +54,7 @@ struct SlantedPlane {
 
   bool covers(const Vec3& u) const { return angle_between(normal, u) <= steepest; }
   double radius(const Vec3& u) const { return distance / normal.dot(u); }
-  // tan psi = |grad r| / r, psi from the direction to the normal.
+  // tan psi = |grad r| / r; psi is the angle from the direction to the normal.
   double slope(const Vec3& u) const { return normal.cross(u).norm() / normal.dot(u); }
 };
 
@@ -65,8 +65,8 @@ double error_on_plane(const SlantedPlane& plane, const S& scheme, const Vec3& u)
   return std::abs(smooth_radius(scheme, u, entry_radius) - plane.radius(u));
 }
 
-// Its bound, mm, for taps that a circle of angular radius `rho` holds: rho^2 / 2 times the largest
-// r (1 + 2 tan^2 psi) at u and the taps, the larger eigenvalue of the Hessian of r.
+// Bound on this error, mm, if a circle of angular radius `rho` holds the taps: rho^2 / 2 times the largest r
+// (1 + 2 tan^2 psi) at u and the taps, which is the larger eigenvalue of the Hessian of r.
 template <SamplingScheme S>
 double planar_bound(const SlantedPlane& plane, const S& scheme, const Vec3& u, double rho) {
   const auto curvature = [&plane](const Vec3& x) {
@@ -80,18 +80,18 @@ double planar_bound(const SlantedPlane& plane, const S& scheme, const Vec3& u, d
   return 0.5 * rho * rho * largest;
 }
 
-// What the rows of all schemes share, and the tables that they fill.
+// What the rows of all schemes share, and the tables of the study.
 struct SamplingStudy {
-  double radius = 22.0;  // mm, of the head without its bump: the r of Eq. 7
+  double radius = 22.0;  // mm, of the head without its bump; r in Eq. 7
   TriangleMesh head;     // of the generated joint, mm
-  // `uniform` ones, then some close to the poles, then those through vertices and edges of the head.
+  // First `uniform` uniform directions, then some close to the poles, then some through vertices and edges.
   std::vector<Vec3> directions;
   std::size_t uniform = 0;            // number of the uniform ones
   std::vector<double> truth;          // radius of the head along each direction, mm
-  std::vector<Vec3> away_from_poles;  // uniform directions more than 10 degrees from them
+  std::vector<Vec3> away_from_poles;  // uniform directions more than 10 degrees from the poles
   Table errors;                       // sampling_error.csv
   Table proven;                       // sampling_error_proven.csv
-  bool prove = true;  // works out the bound of each table of the head: most of the time at fine precision
+  bool prove = true;  // bound each table of the head, which takes most of the time at fine precision
   Table sphere;       // sampling_error_sphere.csv
   Table bounds;       // sampling_error_bounds.csv
 };
@@ -104,7 +104,7 @@ struct StudyOptions {
   std::vector<double> precisions;  // degrees
   std::uint64_t seed = 0;          // of the uniform directions
 };
-// Surfaces, directions and truth; tables without a row.
+// Makes surfaces, directions and truth, and tables without rows.
 SamplingStudy make_sampling_study(const StudyOptions& options);
 
 // What the rows of one scheme and precision share.
@@ -113,17 +113,17 @@ struct StudyCase {
   double precision = 0.0;   // degrees, as asked for
 };
 
-// Adds a row to `proven`. Throws std::runtime_error where the largest error measured, mm, is above the bound.
+// Adds a row to `proven`. Throws std::runtime_error if the largest measured error, mm, is above the bound.
 void add_proven_row(SamplingStudy& study, const StudyCase& now, double measured_max, const TableBound& bound);
 
-// Row of `errors` for a scheme that is not measured: the formula alone.
+// Adds a row to `errors` for a scheme that is not measured, with the formula alone.
 template <SamplingScheme S>
 void add_formula(SamplingStudy& study, const S& scheme, double precision) {
   study.errors.add_row({S::name, precision, thesis_sampling_error(study.radius, scheme.equator_points()),
                         100.0 * thesis_relative_error(scheme.equator_points()), Cell(), Cell()});
 }
 
-// Rows of the head, whose table is really filled.
+// Adds the rows for the head, whose table is really filled.
 template <SamplingScheme S>
 void add_head(SamplingStudy& study, const StudyCase& now, const S& scheme) {
   const RadialTable<S> table = fill_exact(study.head, scheme, Layer::farthest);
@@ -138,7 +138,7 @@ void add_head(SamplingStudy& study, const StudyCase& now, const S& scheme) {
   if (study.prove) add_proven_row(study, now, summary.max, table_bound(study.head, table, Layer::farthest));
 }
 
-// Row of `sphere`: what Eq. 7 stands for there, and the error of a radius.
+// Adds a row to `sphere`: the distance that Eq. 7 stands for, and the error of a radius.
 template <SamplingScheme S>
 void add_sphere(SamplingStudy& study, const StudyCase& now, const S& scheme) {
   double largest = 0.0;
@@ -149,7 +149,7 @@ void add_sphere(SamplingStudy& study, const StudyCase& now, const S& scheme) {
   study.sphere.add_row({now.scheme, now.precision, study.radius * scheme.covering_radius(), largest});
 }
 
-// Rows of `bounds`: with the covering radius and with the stencil radius in the place of rho.
+// Adds rows to `bounds`, with the covering radius and with the stencil radius as rho.
 template <SamplingScheme S>
 void add_bounds(SamplingStudy& study, const StudyCase& now, const S& scheme) {
   const SlantedPlane plane;
@@ -168,7 +168,7 @@ void add_bounds(SamplingStudy& study, const StudyCase& now, const S& scheme) {
   }
 }
 
-// All rows of a scheme at a precision, degrees, measured.
+// Adds all measured rows of a scheme at a precision, degrees.
 template <SamplingScheme S>
 void add_scheme(SamplingStudy& study, const S& scheme, double precision) {
   const StudyCase now{S::name, precision};

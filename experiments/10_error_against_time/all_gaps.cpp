@@ -16,28 +16,28 @@
 namespace impinge::lab {
 namespace {
 
-constexpr std::size_t kKernelQuestions = 1 << 20;  // vertices of one run, about
+constexpr std::size_t kKernelQuestions = 1 << 20;  // vertices in one run, about
 constexpr std::size_t kOtherQuestions = 1 << 17;
 constexpr std::size_t kFewQuestions = 1 << 10;
-constexpr std::size_t kAlone = 256;  // vertices that are asked alone
+constexpr std::size_t kAlone = 256;  // vertices that are asked one by one
 constexpr int kComparedTurns = 12;   // poses in which all gaps are compared: up to 55 degrees
 constexpr int kThreads = 2;
-constexpr double kDistance = 25.0;       // mm, of the probes, in float: as far as the joint space is
-constexpr double kMostError = 1.0;       // mm, of 99 of 100 probes, by the coarsest table here
-constexpr double kMostFalseHits = 0.02;  // of the probes: of those on the rim itself, in float
+constexpr double kDistance = 25.0;       // mm, of the probes in float: as far as the joint space
+constexpr double kMostError = 1.0;       // mm: with the coarsest table here 99 of 100 probes have less
+constexpr double kMostFalseHits = 0.02;  // share of the probes: those on the rim itself, in float
 
 // A method with its errors.
 struct Examined {
   GapCase method;
   std::shared_ptr<const GapQuery> query;
-  double build_s = 0.0;  // of the query, the first time
+  double build_s = 0.0;  // of the query, at first use
   BenchmarkErrors errors;
   MethodBound bound;
-  double scan_mm = 0.0;          // largest error of a gap in the poses of a motion
-  std::size_t scan_missing = 0;  // gaps there without an answer, though the surface is met
+  double scan_mm = 0.0;          // largest error of a gap over the poses of a motion
+  std::size_t scan_missing = 0;  // gaps in these poses without an answer, though the surface is met
 };
 
-// Some of the points, evenly through all of them.
+// Some of the points, evenly spread through the list.
 AskedPoints few_of(const std::vector<Vec3>& all) {
   std::vector<Vec3> few;
   const std::size_t step = all.size() / kFewQuestions + 1;
@@ -50,10 +50,10 @@ ProbeOptions in_float(ProbeOptions options) {
   return options;
 }
 
-// One surface's vertices asked of the other.
+// A direction of the scan: the vertices of one surface against the other.
 struct Direction {
   const BenchmarkScene& scene;
-  AskedSurface surface;  // that is asked
+  AskedSurface surface;  // the other surface
   AskedPoints all;
   AskedPoints few;
   BenchmarkProbes radial;
@@ -80,7 +80,7 @@ struct Direction {
   bool scanned_ball() const { return surface.scanned == Surface::ball; }
 };
 
-// Radii (distances, of a method that answers these) by the gaps of a method, in the socket's own pose.
+// The radii of a surface from a method's gaps in the socket's own pose; distances if the method gives these.
 PointQuery radii_by(const GapQuery& query, Surface scanned) {
   return {[&query, scanned](std::span<const Vec3> points, std::span<double> out) {
     const bool radial = query.measure == Measure::radial;
@@ -104,7 +104,7 @@ void require_good(const Examined& found, const Direction& direction) {
                            " false hits: its time means nothing until its answers are right");
 }
 
-// What the scans themselves are off by.
+// The errors of the scans themselves.
 void compare_scans(Examined& found, const Direction& direction) {
   GapScratch scratch;
   for (std::size_t turn = 0; turn < direction.exact.size(); ++turn) {
@@ -152,7 +152,7 @@ void scan_poses(const Work& work, GapScratch& scratch) {
   }
 }
 
-// Each thread does all poses of its own.
+// Each thread answers some poses alone.
 std::function<void()> run_of(const Work& work) {
   auto scratches = std::make_shared<std::vector<GapScratch>>(work.threads);
   return [work, scratches] {
@@ -164,7 +164,7 @@ std::function<void()> run_of(const Work& work) {
   };
 }
 
-// Each vertex by itself, in a pose of its own.
+// Asks each vertex by itself, in a pose of its own.
 std::function<void()> one_after_one(const Work& work) {
   auto alone = std::make_shared<std::vector<AskedPoints>>();
   const std::vector<Vec3>& points = work.asked.points;
@@ -183,7 +183,7 @@ std::function<void()> one_after_one(const Work& work) {
   };
 }
 
-// One pose of the motion after the other.
+// Answers one pose of the motion after the other.
 std::function<void()> pose_after_pose(const Work& work) {
   auto scratch = std::make_shared<GapScratch>();
   auto turn = std::make_shared<int>(0);
@@ -193,15 +193,15 @@ std::function<void()> pose_after_pose(const Work& work) {
   };
 }
 
-// A row of the table: places in the cases.
+// A row of the table, as indices of the cases.
 struct Row {
   std::size_t time = 0;
   std::size_t build = 0;
-  std::size_t method = 0;  // in the examined ones
+  std::size_t method = 0;  // index in the examined methods
   std::size_t vertices = 0;
 };
 
-// Everything of a scene.
+// All work on one scene.
 struct Asking {
   const BenchmarkTiming& timing;
   std::function<void()> flush;
@@ -237,7 +237,7 @@ void add_case(Asking& asking, std::vector<Cell> key, const Work& work, std::stri
   asking.cases.push_back(std::move(timed));
 }
 
-// Building, and each way to ask that the method is worth.
+// Adds the building of a method, and each way of asking that suits it.
 void add_method(Asking& asking, const Direction& direction, const GapCase& method, const GapPlan& plan) {
   const Examined& found = asking.examined.back();
   const AskedPoints& asked = method.few ? direction.few : direction.all;

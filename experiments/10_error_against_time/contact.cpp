@@ -22,12 +22,12 @@
 namespace impinge::lab {
 namespace {
 
-constexpr std::size_t kSlowStride = 16;  // slow methods are asked in one pose of so many
-constexpr double kExactTests = 3e5;      // vertices looked at for each joint and case, to compare
-constexpr double kExactPairs = 2e8;      // of vertices, up to which the distance of the surfaces is compared
-constexpr std::size_t kFewWrong = 8;     // a method in float is wrong in at most one pose of so many
+constexpr std::size_t kSlowStride = 16;  // slow methods answer one of this many poses
+constexpr double kExactTests = 3e5;      // vertices looked at in comparisons, for each joint and case
+constexpr double kExactPairs = 2e8;  // pairs of vertices up to which the distance of the surfaces is compared
+constexpr std::size_t kFewWrong = 8;  // a method in float is wrong in at most one of this many poses
 
-// A joint and all that says whether it touches.
+// A joint with everything that says whether it touches.
 struct ContactStage {
   ContactStage(const BenchmarkScene& of, std::span<const MadeContact> by)
       : scene(of), pair(of.pair), methods(by), culled(pair) {}
@@ -41,26 +41,26 @@ struct ContactStage {
   SurfaceOverlay overlay{pair.ball, pair.socket};
 };
 
-// What is timed and said of one method in poses of one gap.
+// What is timed and reported of one method in poses with one gap.
 struct AskedContact {
   const MadeContact* method = nullptr;
-  std::size_t build = 0;  // place of its building among the timed cases
-  std::size_t time = 0;   // and of its answers
+  std::size_t build = 0;  // index of its building in the timed cases
+  std::size_t time = 0;   // index of its answers
   std::size_t poses = 0;
-  std::size_t touching = 0;      // of these, by this method
-  std::size_t wrong = 0;         // of these, by the exact overlay
+  std::size_t touching = 0;      // poses that touch by this method
+  std::size_t wrong = 0;         // poses in which the exact overlay says otherwise
   double least_gap_mm = 0.0;     // median over the poses
-  double error_mm = kNoSurface;  // largest of a gap in the poses compared; NaN of touch
-  double own_mm = 0.0;           // largest difference of our own exact gaps from the reference there
+  double error_mm = kNoSurface;  // largest error of a gap in the compared poses; NaN for touch
+  double own_mm = 0.0;           // largest difference of our own exact gaps from the reference in these
 };
 
-// Everything of a scene.
+// All work on one scene.
 struct ContactAsking {
   std::vector<TimedCase> timed = {};
   std::vector<AskedContact> asked = {};
 };
 
-// Poses of one gap, and whether the ball is anywhere beyond the socket in them, by the exact overlay.
+// Poses with one gap, and whether the exact overlay finds the ball anywhere beyond the socket.
 struct Judged {
   void add(const Pose& pose, bool overlaps_there) {
     poses.push_back(pose);
@@ -108,9 +108,9 @@ double smallest_error(const MadeContact& made, const ContactStage& stage, const 
   return std::abs(made.query->smallest(pose) - surface_distance(posed));
 }
 
-// What came out of comparing answers in some of the poses, mm.
+// The result of comparing answers in some of the poses, mm.
 struct Compared {
-  std::map<std::string, double> largest = {};  // error of a gap, by the method
+  std::map<std::string, double> largest = {};  // largest error of a gap, by method
   double own = 0.0;                            // difference of our own exact gaps from the reference
 };
 
@@ -141,7 +141,7 @@ Compared compare(const ContactStage& stage, const std::vector<Pose>& poses) {
   return found;
 }
 
-// Poses in which a method says what the exact overlay of the faces does not; a method of faces seldom may.
+// Counts poses in which a method contradicts the exact overlay of the faces; a method of faces seldom may.
 std::size_t count_wrong(const MadeContact& made, const Judged& judged) {
   std::size_t wrong = 0;
   for (std::size_t k = 0; k < judged.poses.size(); ++k)

@@ -26,7 +26,7 @@ double smallest_gap(const CulledJoint& joint, const Pose& pose) {
   return least ? least->gap_mm : kInfinity;
 }
 
-// Pushed along the way until the gap is `wanted`; none where it is less from the beginning, or never.
+// Pushes the ball until the gap is `wanted`; none if the gap is smaller from the start, or always larger.
 std::optional<Pose> pushed(const CulledJoint& joint, Pose pose, const Vec3& way, double wanted) {
   const auto gap_at = [&](double push) {
     pose.translation = push * way;
@@ -43,7 +43,7 @@ std::optional<Pose> pushed(const CulledJoint& joint, Pose pose, const Vec3& way,
   return pose;
 }
 
-// All of a motion, or nothing where a gap is not within the limits.
+// All poses of a motion; empty if a gap leaves the limits.
 std::vector<Pose> turned_on(const CulledJoint& joint, const MotionGap& gap, const Pose& first,
                             const Vec3& axis) {
   std::vector<Pose> poses;
@@ -59,16 +59,16 @@ std::vector<Pose> turned_on(const CulledJoint& joint, const MotionGap& gap, cons
   return poses;
 }
 
-// A table that is not of this joint is wrong nearly everywhere. A right one is off by more than a millimetre
+// A table of another joint is wrong nearly everywhere. A correct one may be off by more than a millimetre
 // next to steep faces of a coarse mesh, and has no answer at the rim.
 constexpr double kNear = 1.0;       // mm
 constexpr double kLeastNear = 0.9;  // of the vertices that face the other surface
 
-// Of the gaps of one pose.
+// How far off the gaps of one pose are.
 struct Misfit {
   double largest = 0.0;   // error, mm
   std::size_t faced = 0;  // vertices that meet the other surface
-  std::size_t near = 0;   // of these, whose gap is answered and near the exact one
+  std::size_t near = 0;   // of these, answered and near the exact gap
 };
 
 void add_misfit(Misfit& misfit, const std::vector<float>& gaps, const std::vector<double>& exact) {

@@ -38,7 +38,7 @@ void take(BenchmarkErrors& errors, double error, const Vec3& x) {
   errors.max_under = std::max(errors.max_under, -error);
 }
 
-// Largest |error| that a start leads to, as far from the centre as the start.
+// The largest |error| that ascent reaches from a start, at the start's distance from the centre.
 double climb(const PointQuery& query, const BenchmarkProbes& probes, const AscentOptions& ascent, Vec3 x,
              BenchmarkErrors& errors) {
   double best = std::abs(error_at(query, probes, x));
@@ -66,7 +66,7 @@ double climb(const PointQuery& query, const BenchmarkProbes& probes, const Ascen
   return best;
 }
 
-// Places of the probes with the largest errors, the worst first.
+// Indices of the probes with the largest errors, the worst first.
 std::vector<std::size_t> worst_places(const std::vector<double>& error, std::size_t count) {
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < error.size(); ++k) {
@@ -103,7 +103,7 @@ void append_evenly(std::vector<Vec3>& list, const std::vector<Vec3>& more, std::
   for (std::size_t k = 0; k < count; ++k) list.push_back(more[k * more.size() / count]);
 }
 
-// On the half-plane theta = 0 and a little to both of its sides.
+// On the half-plane theta = 0, and a little to both sides of it.
 std::vector<Vec3> seam_directions(std::size_t count) {
   std::vector<Vec3> directions;
   for (std::size_t k = 0; k < count; ++k) {
@@ -114,7 +114,7 @@ std::vector<Vec3> seam_directions(std::size_t count) {
   return directions;
 }
 
-// Through points of the rim, a little to both of its sides, and a good way to both.
+// Through points of the rim, and on both sides of it, a little and a good way off.
 std::vector<Vec3> rim_directions(const TriangleMesh& mesh) {
   std::vector<Vec3> directions;
   for (const JumpEdge& edge : jump_edges(mesh)) {
@@ -149,7 +149,7 @@ double mean_radius(const TriangleMesh& mesh) {
   return sum / static_cast<double>(mesh.vertices.size());
 }
 
-// About so many of the points are asked of both truths.
+// About so many points are compared with both truths.
 constexpr std::size_t kComparedTruths = 1000;
 
 void compare_truths(BenchmarkProbes& probes) {

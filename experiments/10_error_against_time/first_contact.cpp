@@ -21,8 +21,8 @@ namespace impinge::lab {
 namespace {
 
 constexpr double kFarthest = 120.0;     // degrees
-constexpr std::size_t kTurns = 8;       // of a scene
-constexpr std::size_t kTurnTries = 40;  // axes that are drawn for them
+constexpr std::size_t kTurns = 8;       // turns of a scene
+constexpr std::size_t kTurnTries = 40;  // axes that are tried for them
 constexpr double kResolution = 1e-3;    // degrees, of the halvings
 constexpr std::size_t kSlowTurns = 2;   // of slow methods
 constexpr double kSlowStep = 1.0;       // degrees, of slow methods
@@ -48,7 +48,7 @@ struct TrueContact {
   double low_deg, high_deg;
 };
 
-// Motions that end in contact; what is said of them is what CGAL says exactly of both ends.
+// Motions that end in contact. CGAL decides exactly whether both ends of a bracket touch.
 std::vector<TrueContact> motions_of(const BenchmarkScene& scene, const TurnLimits& limits,
                                     std::uint64_t seed) {
   const auto meet = [&](const Pose& pose) {
@@ -70,7 +70,7 @@ std::vector<TrueContact> motions_of(const BenchmarkScene& scene, const TurnLimit
   return motions;
 }
 
-// Steps until one touches, then halvings of the last; kFarthest where none touches.
+// Steps until a pose touches, then halves the last step; kFarthest if none touches.
 double march(const Touch& touches, const Vec3& axis, double step_deg) {
   double free = 0.0;
   double touching = step_deg;
@@ -86,13 +86,13 @@ double march(const Touch& touches, const Vec3& axis, double step_deg) {
   return touching;
 }
 
-// What is timed and said of one method.
+// What is timed and reported of one method.
 struct AskedTurn {
   TimedCase timed;
   double build_ms = 0.0;
   double bytes = 0.0;
   std::size_t motions = 0;
-  std::size_t missed = 0;  // of these, where it finds none
+  std::size_t missed = 0;  // of these, not found by the method
   std::vector<double> errors_deg;
   Cell bound_deg;
 };

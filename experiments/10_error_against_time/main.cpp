@@ -9,14 +9,14 @@
 // @links     harness hip real_joints reference contact_poses contact change benchmark_scene
 // @links     methods points_methods gaps_methods contact_methods gap_simd instruction_set
 //
-// One benchmark, a table a question, on the generated pair, on hips and on real joints.
-//   gap of a vertex    vertices of the posed ball, asked alone, against the surface of the socket
+// One benchmark with a table per question, on the generated pair, on hips and on real joints.
+//   gap of a vertex    vertices of the posed ball, one by one, against the surface of the socket
 //   all gaps           of a pose, by kernels with vector instructions, the scalar scan and libraries, in both
 //                      directions, over a motion of 24 poses
-//   touch, smallest    of poses whose smallest gap is over 2 mm, 0.5 mm, or which touch in most; warm
+//   touch, smallest    of poses that have a smallest gap over 2 mm or of 0.5 mm, or that mostly touch; warm
 //   first contact      of turns about random axes, by proven brackets and by steps
-// Answers are verified before anything is timed, on the very tables and trees that are timed. The largest
-// error is held against the proven bound: if it is above, the run fails and leaves the direction in
+// Answers are verified before anything is timed, on the very tables and trees that are timed. If the largest
+// error is above the proven bound, the run fails and writes the direction to
 // error_against_time_witness.json.
 
 #include <algorithm>
@@ -40,16 +40,16 @@ namespace {
 using namespace impinge;
 using namespace impinge::lab;
 
-constexpr std::size_t kJointsInQuick = 2;    // the smallest
-constexpr std::size_t kFewTriangles = 1000;  // a real socket with fewer is no scene of the main plot
+constexpr std::size_t kJointsInQuick = 2;    // the smallest ones
+constexpr std::size_t kFewTriangles = 1000;  // a real socket with fewer is left out of the main plot
 
-// A scene, made when its turn comes, and what is asked there.
+// A scene and its questions. It is made when its turn comes.
 struct Planned {
   std::function<BenchmarkScene()> make;
-  bool points = false;            // a vertex alone?
+  bool points = false;            // gaps of single vertices?
   bool contact = false;           // touch and smallest gap?
   bool motions = false;           // first contact?
-  std::optional<GapPlan> gaps{};  // all of a pose
+  std::optional<GapPlan> gaps{};  // all gaps of a pose
 };
 
 Planned generated(std::size_t faces, bool points, bool contact, std::optional<GapPlan> gaps) {
@@ -61,7 +61,7 @@ Planned hip(const std::string& preset, std::size_t faces, bool points, bool cont
 
 const GapPlan kFew{{{kMainCells}, {0.5}}};
 
-// All methods from coarse to fine: the lines of the work-precision diagram.
+// All methods from coarse to fine, for the lines of the work-precision diagram.
 GapPlan lines(bool quick) {
   if (quick) return {{{kMainCells}, {0.5}, {2.0, 0.5}, {{}, 30000, 13000, {1.05, 2000}}}, false};
   return {{{kMainCells}, {0.5}, {2.0, 1.0, 0.5, 0.2, 0.1, 0.05}, {{}, 1100000, 13000, {1.05, 100000}}}, true};
@@ -85,9 +85,9 @@ std::vector<Planned> full_scenes() {
   return all;
 }
 
-// Real joints first, since they are what may be refused; in a quick run the smallest, without touch and
-// motions. A vertex alone is asked of the smallest and the largest, all methods from coarse to fine of the
-// smallest that has a thousand triangles.
+// Real joints come first, since they may be refused; in a quick run only the smallest, without touch and
+// motions. Single vertices are asked on the smallest and the largest joint. All methods from coarse to fine
+// run on the smallest joint with at least a thousand triangles.
 std::vector<Planned> scenes(DriverRun& run) {
   std::vector<Planned> others = run.quick() ? quick_scenes() : full_scenes();
   if (!run.bones) return others;
@@ -132,7 +132,7 @@ nlohmann::json parameters_of(const BenchmarkOptions& options) {
           {"bytes_tables", "entries and rim mask"}};
 }
 
-// Everything that is found out, a table a question.
+// All results, a table per question.
 struct Found {
   BenchmarkTables points = make_benchmark_tables();
   QuestionTable gaps = make_gap_table();
@@ -162,7 +162,7 @@ void write_agreement(DriverRun& run) {
   run.write(result);
 }
 
-// What a result says of itself.
+// The texts of a result.
 struct About {
   const char* name;
   const char* question;

@@ -16,7 +16,7 @@
 namespace impinge::lab {
 namespace {
 
-constexpr std::size_t kFirstBatch = 8;  // points that tell how long a batch will take
+constexpr std::size_t kFirstBatch = 8;  // points that are timed to estimate a batch
 
 // Points, and the answers to them.
 struct Batch {
@@ -24,11 +24,11 @@ struct Batch {
   std::vector<double> out;
 };
 
-// A method with everything that was found out about it.
+// A method with everything that was measured of it.
 struct Measured {
   PointCase method;
   std::shared_ptr<const PointQuery> query;
-  double build_s = 0.0;  // of the query, the first time
+  double build_s = 0.0;  // of the query, at first use
   BenchmarkErrors errors;
   MethodBound bound;
   double truth_apart = 0.0;  // see BenchmarkProbes, mm
@@ -60,7 +60,7 @@ void examine(Measured& measured, const BenchmarkScene& scene, const Truth& truth
   require_bound(measured.errors, measured.bound, {scene.name, measured.method.name, measured.method.setting});
 }
 
-// As many of the points as one batch has time for, evenly through all of them.
+// The points of one batch of batch_ms, evenly spread through the list.
 std::vector<Vec3> batch_of(const PointQuery& query, const std::vector<Vec3>& all, double batch_ms) {
   std::vector<double> out(all.size());
   const std::size_t first = std::min(kFirstBatch, all.size());
@@ -77,7 +77,7 @@ std::vector<Cell> key_of(const Measured& measured, const BenchmarkScene& scene) 
   return {scene.name, measured.method.name, measured.method.setting};
 }
 
-// What the costs of a scene's methods share.
+// What is common to the costs of a scene's methods.
 struct Costing {
   const BenchmarkScene& scene;
   const BenchmarkTiming& timing;
@@ -123,7 +123,7 @@ TimingRun time_all(const std::vector<Measured>& all, const BenchmarkScene& scene
   return run_interleaved(cases, timing.options, progress);
 }
 
-// Micrometres; an infinite bound promises nothing.
+// Micrometres; empty for an infinite bound.
 Cell bound_cell(double bound_mm) { return std::isfinite(bound_mm) ? Cell(kMicrometres * bound_mm) : Cell(); }
 
 // A cell that is empty where the value has no meaning for the method.

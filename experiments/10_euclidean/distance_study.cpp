@@ -14,8 +14,8 @@ namespace {
 
 // Where the ray of a point ends: on the nearest face that it meets.
 struct RayEnd {
-  double gap_mm = kInfinity;  // from the point to there; infinite where no face is met
-  double slope = 0.0;         // tan of the angle between ray and normal
+  double gap_mm = kInfinity;  // from the point to that face; infinite where no face is met
+  double slope = 0.0;         // tangent of the angle between ray and normal
 };
 
 RayEnd ray_end(const NearFaces& faces, const Vec3& x) {

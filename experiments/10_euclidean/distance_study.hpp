@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far radial gaps are above Euclidean distances.
+// Compares radial gaps with Euclidean distances.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace impinge::lab {
 
-// Where the ray of a point ends: on a face that it meets at an angle of less than `below_deg` to the normal,
-// or, where a jump edge is nearer than that face, at a rim.
+// A class of points by where their ray ends: on a face that it meets at less than `below_deg` to the normal,
+// or at a rim, if a jump edge is nearer than that face.
 struct DistanceZone {
   std::string_view name;  // in the results
   double below_deg;       // largest angle to the normal, degrees; infinite for the last zone
@@ -22,7 +22,7 @@ struct DistanceZone {
 // From faces that look at the centre to those seen obliquely.
 inline constexpr std::array<DistanceZone, 3> kFacingZones{
     {{"facing", 20.0}, {"oblique", 45.0}, {"steep", std::numeric_limits<double>::infinity()}}};
-inline constexpr std::string_view kRimZone = "rim";  // the zone of points that end at a rim
+inline constexpr std::string_view kRimZone = "rim";  // zone of points that end at a rim
 
 // The points of one zone.
 struct DistanceShare {
@@ -30,8 +30,8 @@ struct DistanceShare {
   std::vector<double> gap;  // |gap| over the exact distance
 };
 
-// Points (mm, in the frame of the mesh) by zones, in the order of kFacingZones and the rim. Points along
-// whose direction there is no surface, or that lie on it, are left out.
+// Sorts points (mm, in the frame of the mesh) into zones, in the order of kFacingZones and then the rim.
+// Leaves out points in whose direction there is no surface, and points on the surface.
 std::vector<DistanceShare> distance_shares(const TriangleMesh& mesh, std::span<const Vec3> points);
 
 }  // namespace impinge::lab

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  How far above the Euclidean distance are radial gaps, and where in a joint?
+// @question  How much larger than the Euclidean distance are radial gaps, and where in a joint?
 // @writes    euclidean
 // @bones     yes
 // @timing    no
 // @seconds   2 90
 // @links     harness real_joints reference gap
 //
-// The vertices of each surface against the other one, in several poses, beside the exact distance from the
-// nearest point.
+// The vertices of each surface are measured against the other surface, in several poses, and compared with
+// the exact distance to the nearest point.
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ struct NamedPose {
   Pose pose;
 };
 
-// The ball of the pair without its cam, on a round neck along -z: steep faces next to a rim.
+// The ball of the pair without its cam, on a round neck along -z, so that steep faces are next to a rim.
 BallSocketPair pair_with_neck(std::size_t triangles) {
   PairShape shape;
   const auto radius = [&](const Vec3& u) {

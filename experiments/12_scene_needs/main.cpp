@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  What does one question need, beside answering all of them and beside another library?
+// @question  What does one question need, compared with all of them and with another library?
 // @writes    scene_needs scene_needs_samples
 // @bones     yes
 // @timing    yes
 // @seconds   18 300
 // @links     harness 17_limit_time joint gaps_methods steps_methods
 //
-// Touch, smallest gap and all gaps of a pose, limits of all named motions, the volume of all rotations and
-// measures of a joint: each asked alone; with all others and every output, as a report does; and of libraries
-// that answer that very question (FCL and ODE whether surfaces meet, in steps for limits and in a grid of
-// poses for the volume, Embree and CGAL along rays). Making trees and tables is part of each. Before anything
-// is timed the answers are compared: what is left out may not change a bit of ours.
+// The questions are touch, smallest gap and all gaps of a pose, limits of all named motions, the volume of
+// all rotations and measures of a joint. Each is asked alone; together with all others and every output, as
+// in a report; and of other libraries: FCL and ODE for whether surfaces meet, in steps for limits and in a
+// grid of poses for the volume, Embree and CGAL along rays. Making trees and tables is part of each time.
+// Before anything is timed the answers are compared: leaving out work may not change a bit of ours.
 
 #include <algorithm>
 #include <bit>
@@ -31,12 +31,12 @@ namespace {
 using namespace impinge;
 using namespace impinge::lab;
 
-constexpr std::size_t kFaces = 24000;  // of both surfaces of the generated hip
+constexpr std::size_t kFaces = 24000;  // faces of both surfaces of the generated hip
 constexpr std::size_t kFacesInQuick = 4000;
 constexpr int kRounds = 7;
 constexpr int kRoundsInQuick = 3;
 
-// A row: a way to the answer of a question, or to all of them.
+// A row: a way to answer a question, or all of them.
 struct NeedsRow {
   const AskedJoint* joint = nullptr;
   std::string question;
@@ -45,7 +45,7 @@ struct NeedsRow {
   std::function<void()> before{};
   double share = 1.0;
   LookedAt looked_at{};
-  double differs = 0.0;  // from ours
+  double differs = 0.0;  // difference from our answer
   UsedMemory memory{kNoSurface, kNoSurface};
   std::shared_ptr<std::vector<double>> cpu_ms = std::make_shared<std::vector<double>>();
 
@@ -59,7 +59,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   });
 }
 
-// NaN of answers that have other numbers.
+// NaN if the answers have other numbers.
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   if (a.size() != b.size()) return std::numeric_limits<double>::quiet_NaN();
   double largest = 0.0;
@@ -172,7 +172,7 @@ Table table_of(const std::vector<NeedsRow>& rows, const TimingRun& timing) {
   return table;
 }
 
-// The generated hip, and real joints of whole bones; in quick the one with the fewest faces.
+// The generated hip, and real joints with whole bones; a quick run takes the one with the fewest faces.
 std::vector<TurnedJoint> joints_of(DriverRun& run) {
   std::vector<TurnedJoint> joints{generated_hip(run.quick() ? kFacesInQuick : kFaces)};
   if (!run.bones) return joints;

@@ -29,7 +29,7 @@ namespace impinge::lab {
 namespace {
 
 constexpr Motion kPose{.flexion = 60.0};
-constexpr double kResolution = 0.01;  // degrees, of a library's halvings
+constexpr double kResolution = 0.01;  // degrees, to which a library's steps are halved
 constexpr const char* kOurs = "needed";
 
 Pose pose_of(const AskedJoint& joint) { return {joint_rotation(kPose, joint.side), Vec3::Zero()}; }
@@ -118,7 +118,7 @@ Answered our_measures(AskedJoint& joint) {
   return {numbers_of(answer(*joint.session, MeasureRequest{})), {}};
 }
 
-// Counted by the library's own parts, which make the same choices as the whole.
+// Counted with the library's own parts, which choose as the whole does.
 
 LookedAt looked_at_by_touch(const AskedJoint& joint) {
   const MetFaces faces(joint);
@@ -127,7 +127,8 @@ LookedAt looked_at_by_touch(const AskedJoint& joint) {
   return {count, {}};
 }
 
-// Every vertex asks what is near it; those that can change the answer look at faces in whose caps they are.
+// Every vertex looks for near faces. Those that can change the answer look at the faces in whose caps they
+// lie.
 LookedAt looked_at_by_gaps(AskedJoint& joint, Question question) {
   SessionJoint& session = *joint.session->joint;
   const BallSocketPair meshes{session.main(Surface::ball), session.main(Surface::socket)};
@@ -149,7 +150,7 @@ LookedAt looked_at_by_gaps(AskedJoint& joint, Question question) {
   return {count, meshes.ball.vertices.size() + meshes.socket.vertices.size()};
 }
 
-// Faces whose spheres may meet before the limit: those that a best-first search compares.
+// Faces whose spheres may meet before the limit; a best-first search compares these.
 LookedAt looked_at_by_limits(const AskedJoint& joint) {
   constexpr double kWithin = 4e-12;  // of the radius: limits/turn_contact.hpp
   const CentredLimits limits = limits_of(joint);
@@ -181,9 +182,9 @@ LookedAt looked_at_by_limits(const AskedJoint& joint) {
   return {faces[0].size() + faces[1].size(), vertices[0].size() + vertices[1].size()};
 }
 
-// Others.
+// Other libraries.
 
-// The case of that name, with its label; none where its library is not installed.
+// The case of that name, with its label; none if its library is not installed.
 template <class OneCase>
 const OneCase* find_case(const std::vector<OneCase>& cases, const std::string& name,
                          std::map<std::string, std::string>& labels) {
@@ -193,7 +194,7 @@ const OneCase* find_case(const std::vector<OneCase>& cases, const std::string& n
   return &*found;
 }
 
-// Steps until one touches, then halvings of the last.
+// Steps until a pose touches, then halves the last step.
 double stepped(const Touch& touches, const AskedMotion& motion, double step_deg) {
   const auto at = [&](double angle) {
     const Eigen::Matrix3d grown = Eigen::AngleAxisd(angle * kDegree, motion.turn.axis).toRotationMatrix();
@@ -232,7 +233,7 @@ std::function<Answered()> limits_by(const AskedJoint& joint, const ContactCase& 
   };
 }
 
-// Random rotations, in place of a grid that leaves none farther than the finest cells do.
+// Random rotations in place of a grid that comes as near to every pose as the finest cells do.
 Way volume_by(const ContactCase& method, const MotionVolume& volume, std::size_t poses) {
   std::uint32_t level = 0;
   volume.for_each([&](const VolumeCell& at) { level = std::max(level, at.cell.level); });
@@ -250,7 +251,7 @@ Way volume_by(const ContactCase& method, const MotionVolume& volume, std::size_t
   return {method.name, answer, static_cast<double>(poses) / (4.0 * std::pow(8.0, level))};
 }
 
-// Both main surfaces, the vertices of each, and what asks the other one.
+// Both main surfaces, the vertices of each, and the surface against which they are measured.
 struct RayAsking {
   explicit RayAsking(const SessionJoint& joint)
       : meshes{joint.main(Surface::ball), joint.main(Surface::socket)} {}
@@ -261,7 +262,7 @@ struct RayAsking {
   std::array<AskedPoints, 2> points{AskedPoints(meshes.ball.vertices), AskedPoints(meshes.socket.vertices)};
 };
 
-// All gaps of the pose, or the least of them.
+// All gaps of the pose, or only the smallest.
 std::function<Answered()> rays_by(const AskedJoint& joint, const std::string& method,
                                   std::map<std::string, std::string>& labels, bool least) {
   const auto asking = std::make_shared<const RayAsking>(*joint.session->joint);
@@ -284,7 +285,7 @@ std::function<Answered()> rays_by(const AskedJoint& joint, const std::string& me
         found.numbers.push_back(scratch.gap(v));
       found.numbers.resize(
           found.numbers.size() + joint.mesh(kSurfaces[k]).vertices.size() - asking->points[k].points.size(),
-          kNoSurface);  // of parts
+          kNoSurface);  // for vertices of parts
     }
     if (!least) return found;
     double smallest = kInfinity;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions about one joint: what the library works out for each alone and for all of them at once, and how
-// another library answers the same.
+// Questions about one joint: what the library works out for one of them and for all of them at once, and how
+// another library answers the same question.
 #pragma once
 
 #include <functional>
@@ -17,38 +17,38 @@
 
 namespace impinge::lab {
 
-/// A joint that is asked. It stays where it is.
+/// A joint about which questions are asked. It is not moved in memory.
 struct AskedJoint {
   explicit AskedJoint(const TurnedJoint& turned);
   AskedJoint(const AskedJoint&) = delete;
-  /// Begins a session that has worked out nothing yet.
+  /// Begins a session in which nothing has been worked out.
   void renew() { session = std::make_unique<Session>(joint, side, "RAS"); }
-  /// All faces of a side, about the centre.
+  /// All faces of a bone, about the centre.
   const TriangleMesh& mesh(Surface of) const { return session->joint->mesh(of); }
   std::size_t faces() const { return bones.ball.faces.size() + bones.socket.faces.size(); }
 
   std::string name;
-  BallSocketPair bones;  // as others' libraries take them, joint frame, mm
+  BallSocketPair bones;  // as other libraries take them, joint frame, mm
   std::optional<Side> side;
-  Joint joint;  // as the library does
+  Joint joint;  // as our library takes it
   std::unique_ptr<Session> session;
 };
 
-/// The numbers of an answer, in a fixed order; NaN where there is none. And what was made for it.
+/// The numbers of an answer, in a fixed order, NaN where there is none; and what was made for it.
 struct Answered {
   std::vector<double> numbers;
   Kept kept{};
 };
 
-/// One way to an answer.
+/// One way to answer a question.
 struct Way {
   std::string name;                  // "needed": ours; else a method of another library
-  std::function<Answered()> answer;  // from the meshes, or a session that has worked out nothing
-  double share = 1.0;                // of the work that it does; the time of all is so much more
+  std::function<Answered()> answer;  // starts from the meshes, or from a session that has worked out nothing
+  double share = 1.0;                // share of the work that it does; the time is scaled up by it
 };
 
-/// Faces and vertices of both sides that ours looks at one by one, when trees and caps have been made of all
-/// of them; none: not counted.
+/// Faces and vertices of both bones that our method looks at one by one, after trees and caps of all of them
+/// were made; empty if not counted.
 struct LookedAt {
   std::optional<std::size_t> faces{};
   std::optional<std::size_t> vertices{};
@@ -56,23 +56,22 @@ struct LookedAt {
 
 struct AskedQuestion {
   std::string name;
-  std::vector<Way> ways;  // ours first
+  std::vector<Way> ways;  // our own first
   LookedAt looked_at;
 };
 
-/// How much is asked.
+/// How much work is asked for.
 struct Asking {
   double width = 0.0;     // of the volume
-  double step_deg = 0.0;  // of a library that finds limits
-  std::size_t poses = 0;  // of a library that stands in a grid of poses for the volume
+  double step_deg = 0.0;  // for a library that finds limits
+  std::size_t poses = 0;  // for a library that samples the volume
 };
 
-/// Touch, smallest gap and all gaps of a pose, limits of all named motions, volume and measures. Adds the
-/// labels of methods.
+/// All questions of the experiment, in the order of its head. Adds the labels of methods.
 std::vector<AskedQuestion> questions_of(AskedJoint& joint, const Asking& asking,
                                         std::map<std::string, std::string>& labels);
 
-/// Their answers, in the same order, by a session that works out all that a report says, with every output.
+/// The answers to them, in the same order, from a session that works out a whole report with every output.
 std::vector<Answered> everything(AskedJoint& joint, const Asking& asking);
 
 }  // namespace impinge::lab

@@ -18,14 +18,14 @@ namespace {
 
 constexpr double kNotCounted = std::numeric_limits<double>::quiet_NaN();
 
-// 1 forgets which pages were touched, 5 the peak.
+// Writing 1 forgets which pages were touched, writing 5 the peak.
 bool forget(const char* what) {
   std::ofstream file("/proc/self/clear_refs");
   file << what << std::flush;
   return file.good();
 }
 
-// Bytes of a line of /proc/self/status.
+// A line of /proc/self/status, in bytes.
 double status(const std::string& key) {
   std::ifstream file("/proc/self/status");
   for (std::string line; std::getline(file, line);) {
@@ -34,7 +34,7 @@ double status(const std::string& key) {
   return kNotCounted;
 }
 
-// A line that begins a mapping has a range of addresses, and a path if it is of a file.
+// The first line of a mapping has a range of addresses, and a path if a file is mapped.
 double touched_bytes() {
   std::ifstream file("/proc/self/smaps");
   double sum = 0.0;
@@ -57,7 +57,7 @@ UsedMemory count(const std::function<void()>& prepare, const std::function<Kept(
   ::malloc_trim(0);
   if (!forget("5") || !forget("1")) return {kNotCounted, kNotCounted};
   const double before = status("VmRSS");
-  const double own = touched_bytes();  // what counting takes
+  const double own = touched_bytes();  // memory for counting
   const Kept kept = work();
   const double touched = touched_bytes() - own;
   return {status("VmHWM") - before, touched};
@@ -72,7 +72,7 @@ UsedMemory used_memory(const std::function<void()>& prepare, const std::function
   if (child < 0) throw std::runtime_error("no process that counts memory");
   UsedMemory used;
   if (child == 0) {
-    // One heap whose blocks stay: what was freed is counted as well.
+    // Use one heap and never give blocks back, so that freed memory is counted as well.
     ::mallopt(M_ARENA_MAX, 1);
     ::mallopt(M_MMAP_THRESHOLD, std::numeric_limits<int>::max());
     ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());

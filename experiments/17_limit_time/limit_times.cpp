@@ -21,21 +21,21 @@
 namespace impinge::lab {
 namespace {
 
-constexpr double kResolution = 0.01;         // degrees, of the halvings
-constexpr double kMissed = 2 * kResolution;  // later than the truth by more: a contact was missed
-constexpr double kClosedForm = 1e-6;         // degrees, of a known limit
-constexpr int kBuildings = 3;                // that are timed
+constexpr double kResolution = 0.01;         // degrees, to which steps are halved
+constexpr double kMissed = 2 * kResolution;  // a contact later than the truth by more was missed
+constexpr double kClosedForm = 1e-6;         // degrees, accuracy of a known limit
+constexpr int kBuildings = 3;                // times that building is timed
 constexpr const char* kOurs = "turn_limit";
 constexpr const char* kRanges = "turn_limit_ranges";
 
-// A motion that begins clear, and its first contact; the largest angle where there is none.
+// A motion that begins clear, with the angle of its first contact, or the largest angle if it has none.
 struct TrueLimit : TurnedMotion {
   double deg;
 };
 
 double cpu_now_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// The thing that is made, and the median time of making it.
+// Makes something, and gives the median time of making it.
 template <class Make>
 auto built(const Make& make, double& building_ms) {
   std::vector<double> times;
@@ -56,7 +56,7 @@ Pose pose_at(const JointTurn& turn, double angle_deg) {
   return pose;
 }
 
-// Steps until one touches, then halvings of the last.
+// Steps until a pose touches, then halves the last step.
 double march(const Touch& touches, const TrueLimit& motion, double step_deg) {
   double free = 0.0;
   double touching = std::min(step_deg, motion.largest_deg);
@@ -72,24 +72,24 @@ double march(const Touch& touches, const TrueLimit& motion, double step_deg) {
   return touching;
 }
 
-// Poses that march() asks for, of a method that errs little.
+// Number of poses that march() tests, with a method that errs little.
 double poses_of(const TrueLimit& motion, double step_deg) {
   return std::ceil(motion.deg / step_deg) + std::ceil(std::log2(std::max(1.0, step_deg / kResolution)));
 }
 
 using FindLimit = std::function<double(const TrueLimit&)>;  // degrees
 
-// One method in one setting, as it is asked.
+// One method in one setting, with its answers.
 struct AskedLimits {
   std::string method;
   Cell step_deg;
   double building_ms = 0.0;
-  std::size_t motions = 0;  // the first of the joint's that many
+  std::size_t motions = 0;  // it answers this many of the joint's motions, the first ones
   FindLimit limit;
   int rounds = 1;
-  std::vector<double> found_deg;  // of these motions
-  double seconds = 0.0;           // that it took to find them
-  std::shared_ptr<std::vector<double>> cpu_ms = std::make_shared<std::vector<double>>();  // a run each
+  std::vector<double> found_deg;                                                          // of these motions
+  double seconds = 0.0;                                                                   // time to find them
+  std::shared_ptr<std::vector<double>> cpu_ms = std::make_shared<std::vector<double>>();  // one per run
 };
 
 std::vector<TurnedMotion> asked_of(const TurnedJoint& joint) {
@@ -135,7 +135,7 @@ AskedLimits of_ours(const TurnedJoint& joint, const std::vector<TrueLimit>& moti
   asked.rounds = rounds;
   const auto make = [&] {
     FindLimit limit = ours(joint, ranges);
-    if (ranges) limit(motions.front());  // what all ranges share is made with the first
+    if (ranges) limit(motions.front());  // the first motion includes what all ranges share
     return limit;
   };
   asked.limit = built(make, asked.building_ms);
@@ -170,7 +170,7 @@ void find(AskedLimits& asked, const std::vector<TrueLimit>& motions) {
   asked.seconds = watch.lap_s();
 }
 
-// The truth, from what all of them find.
+// Finds the truth from the answers of all methods.
 void settle(const TurnedJoint& joint, const std::vector<AskedLimits>& all, const TurnLimits& limits,
             const Touch& exact, std::vector<TrueLimit>& motions) {
   for (std::size_t k = 0; k < motions.size(); ++k) {
@@ -190,7 +190,7 @@ void settle(const TurnedJoint& joint, const std::vector<AskedLimits>& all, const
                                ", is not that of its closed form, " + Cell(*motion.known_deg).text());
     for (const AskedLimits& asked : all) {
       if (k >= asked.motions || asked.found_deg[k] >= motion.deg) continue;
-      if (!exact(pose_at(motion.turn, asked.found_deg[k]))) continue;  // it says so, but they are apart
+      if (!exact(pose_at(motion.turn, asked.found_deg[k]))) continue;  // no: the surfaces are apart
       motion.deg = asked.found_deg[k];
       if (motion.deg < ours.low_deg) throw contradicted(motion.deg);
     }
@@ -217,7 +217,7 @@ std::size_t missed_by(const AskedLimits& asked, const std::vector<TrueLimit>& mo
   return missed;
 }
 
-// Poses of all motions over those of the ones that are asked for.
+// Poses of all motions divided by the poses of those that the method answers.
 double share_of(const AskedLimits& asked, const std::vector<TrueLimit>& motions) {
   if (asked.motions == motions.size()) return 1.0;
   const double step = std::stod(asked.step_deg.text());

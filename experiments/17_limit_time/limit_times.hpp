@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error and time of the limits of all named motions: ours, in closed form, and what steps with a test of
-// touch find, halved where one touches.
+// Error and time of the limits of all named motions, by our closed form and by others' tests of touch in
+// steps, halved where a pose touches.
 #pragma once
 
 #include <cstddef>
@@ -19,38 +19,38 @@
 
 namespace impinge::lab {
 
-// Joints whose limits are timed: a generated hip, whole bones, a replaced hip, and a needle that passes
+// The joints whose limits are timed: a generated hip, whole bones, a replaced hip, and a needle that passes
 // spikes.
 
 struct TurnedMotion {
   std::string name;
   JointTurn turn;
   double largest_deg;
-  std::optional<double> known_deg;  // where surfaces first meet, in closed form, to 1e-9
+  std::optional<double> known_deg;  // first contact of the surfaces in closed form, to 1e-9
 };
 
 // Meshes in the joint frame about the centre, mm.
 struct TurnedJoint {
   std::string name;
-  BallSocketPair bones;   // whole, as others' libraries take them
-  BallSocketPair main{};  // of whole bones their surfaces of the joint, else the same (hip/whole_bone.hpp)
+  BallSocketPair bones;   // whole, as other libraries take them
+  BallSocketPair main{};  // of whole bones the surfaces of the joint (hip/whole_bone.hpp), else the same
   BoneParts beside{};
   std::optional<Side> side{};
-  std::vector<TurnedMotion> motions{};  // none: the named ones
+  std::vector<TurnedMotion> motions{};  // empty: the named motions
 
-  // What is done once for a joint, by ours.
+  // What our method prepares once for a joint.
   TurnLimits limits() const { return TurnLimits(main, beside); }
   std::size_t faces() const { return bones.ball.faces.size() + bones.socket.faces.size(); }
 };
 
-// hip_presets.hpp's normal hip, and that of phantoms/phantom.hpp, of about so many faces each.
+// The normal hip of hip_presets.hpp and the implant of phantoms/phantom.hpp, each with about so many faces.
 TurnedJoint generated_hip(std::size_t faces);
 TurnedJoint replaced_hip(std::size_t faces);
 
-// A ball with a thin pyramid, which turns in twelve directions past the tip of a spike each, sharper and in
-// the plane of the turn. The spikes are nearer than the top of the needle by 5 to 0.05 mm: the pyramid passes
-// them in 6 to 0.05 degrees, and comes to the rim of the cup 40 degrees and more later. (At the first
-// contact the tip is in an edge of the pyramid.)
+// A ball with a thin pyramid, the needle. It turns in twelve directions, in each past the tip of a sharper
+// spike in the plane of the turn. The tips of the spikes are 5 to 0.05 mm nearer to the centre than the tip
+// of the needle, which therefore passes them in 6 to 0.05 degrees. It meets the rim of the cup 40 degrees or
+// more later. At first contact the tip of the spike is on an edge of the pyramid.
 TurnedJoint needle_past_spikes();
 
 // The joints of a folder (harness/real_joints.hpp) that have a whole femur.ply and pelvis.ply beside their
@@ -59,29 +59,29 @@ std::vector<TurnedJoint> whole_joints(const std::filesystem::path& folder, Progr
 
 // How much is timed.
 struct LimitPlan {
-  std::vector<double> steps_deg;      // of a library
-  std::vector<double> few_steps_deg;  // of a slow one (ContactCase::few)
-  std::size_t motions = 12;           // that libraries are asked for: the first so many
-  std::size_t few_motions = 12;       // that slow ones are
+  std::vector<double> steps_deg;      // for a library
+  std::vector<double> few_steps_deg;  // for a slow one (ContactCase::few)
+  std::size_t motions = 12;           // libraries answer this many motions, the first ones
+  std::size_t few_motions = 12;       // slow ones answer this many
   int rounds = 1;
-  int few_rounds = 1;  // of slow ones
+  int few_rounds = 1;  // for slow ones
   TimingOptions timing;
 };
 LimitPlan limit_plan(bool quick);
 
-// What is written, and the labels of the methods.
+// The results, and the labels of the methods.
 struct LimitTimes {
   Table table;
   TimingRun timing;
   std::map<std::string, std::string> labels;
 };
 LimitTimes empty_limit_times();         // no rows yet
-std::vector<Column> limit_time_keys();  // its first columns: joint, faces, method, step_deg
+std::vector<Column> limit_time_keys();  // joint, faces, method, step_deg
 
 // Adds the rows of a joint. The truth of a motion is the smallest angle at which any method finds contact and
-// CGAL a common point of the surfaces, exactly. std::runtime_error where that is before the lower end of
-// ours, or no common point is where ours says that there is contact. Motions that begin in contact are left
-// out; none of the joint where all do.
+// CGAL exactly finds a common point. Throws std::runtime_error if this angle is before the lower end of our
+// bracket, or if we report contact and there is no common point. Leaves out motions that begin in contact,
+// and the joint if all do.
 void add_limit_times(const TurnedJoint& joint, const LimitPlan& plan, LimitTimes& found, Progress& progress);
 
 }  // namespace impinge::lab

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  What do the limits of all motions cost, and what do steps miss?
+// @question  How long do the limits of all motions take, and what do steps miss?
 // @writes    limit_time limit_time_samples touch_time touch_time_samples
 // @bones     yes
 // @timing    yes
@@ -7,12 +7,11 @@
 // @links     harness real_joints hip change phantoms method_cgal steps_methods
 //
 // The limits of the named motions of a generated hip, of a replaced one and of real joints with whole bones,
-// and those of a needle that passes thin spikes, which are known:
-// in closed form (limits/turn_limit.hpp), alone and with the range for every centre within half a millimetre;
-// and by others' tests of touch in steps of 5 to 0.1 degrees, halved to 0.01 where one touches.
-// Before anything is timed the smallest angle at which CGAL finds a common point of the surfaces, of all that
-// any method found, is held against ours. Of the same joints, how long it takes to say whether they touch in
-// one pose.
+// and the known limits of a needle that passes thin spikes. They are found in closed form
+// (limits/turn_limit.hpp), alone and with the range for every centre within half a millimetre; and by others'
+// tests of touch in steps of 5 to 0.1 degrees, halved to 0.01 where a pose touches. Before anything is timed
+// our limit is compared with the smallest angle of any method at which CGAL finds a common point. For the
+// same joints it is timed how long a test of one pose takes.
 
 #include "17_limit_time/limit_times.hpp"
 #include "17_limit_time/touch_times.hpp"
@@ -25,7 +24,7 @@ namespace {
 using namespace impinge;
 using namespace impinge::lab;
 
-// Of ball and socket together.
+// Faces of ball and socket together.
 constexpr std::size_t kHipFacesInQuick = 6000;
 constexpr std::size_t kHipFacesInFull = 24000;
 constexpr std::size_t kImplantFacesInQuick = 8000;
@@ -35,7 +34,7 @@ void body(DriverRun& run) {
   LimitTimes found = empty_limit_times();
   LimitTimes touch = empty_touch_times();
   const LimitPlan plan = limit_plan(run.quick());
-  LimitPlan of_implant = plan;  // head and cup are close all round: poses take others ten times as long
+  LimitPlan of_implant = plan;  // head and cup are close all round: others take ten times as long
   of_implant.motions = run.quick() ? 1 : 3;
   of_implant.few_motions = 1;
   if (run.quick()) of_implant.steps_deg.pop_back();

@@ -10,20 +10,20 @@ namespace impinge::lab {
 namespace {
 
 constexpr int kTurns = 12;
-constexpr double kTop = 26.0;          // mm, of the needle from the centre
-constexpr double kLength = 8.0;        // mm, of it: it begins within the ball
+constexpr double kTop = 26.0;          // mm, from the centre to the needle's tip
+constexpr double kLength = 8.0;        // mm: its base is within the ball
 constexpr double kWidth = 2.0;         // mm, radius of its base
-constexpr double kSpikeBase = 34.0;    // mm, where spikes begin
-constexpr double kSpikeWidth = 0.3;    // mm, of them there: sharper than the needle
-constexpr double kDeepest = 5.0;       // mm, by which the first spike is nearer than the needle's top
-constexpr double kShallowest = 0.05;   // the last
+constexpr double kSpikeBase = 34.0;    // mm, from the centre to the spikes' base
+constexpr double kSpikeWidth = 0.3;    // mm, radius of their base: they are sharper than the needle
+constexpr double kDeepest = 5.0;       // mm, by which the first spike's tip is nearer than the needle's
+constexpr double kShallowest = 0.05;   // the same for the last spike
 constexpr double kFirstSpike = 35.0;   // degrees from the needle
-constexpr double kNextSpike = 2.37;    // degrees that each is farther
+constexpr double kNextSpike = 2.37;    // degrees from one to the next
 constexpr double kLargest = 120.0;     // degrees
 constexpr double kBallRadius = 20.0;   // mm
 constexpr double kCupRadius = 23.0;    // mm
-constexpr double kCupOpening = 80.0;   // degrees from its pole, opposite the needle
-constexpr std::size_t kFaces = 3'000;  // of ball and of cup
+constexpr double kCupOpening = 80.0;   // degrees from its pole, which is opposite the needle
+constexpr std::size_t kFaces = 3'000;  // faces of ball and cup, each
 
 Vec3 outward(int turn) {
   const double azimuth = 2.0 * kPi * turn / kTurns;
@@ -35,8 +35,8 @@ double tip_radius(int turn) {
 }
 double spike_deg(int turn) { return kFirstSpike + kNextSpike * turn; }
 
-// The tip of a spike is as far out as a point of the needle's side that is so many mm below its top:
-// w s across, w the slope of the side, so that (w s)^2 + (top - s)^2 = r^2.
+// The tip of a spike meets the point of the needle's side that is s mm below the top and w s across it, w the
+// slope of the side: (w s)^2 + (top - s)^2 = r^2.
 double meeting_deg(int turn) {
   const double r = tip_radius(turn);
   const double slope = kWidth / kLength;

@@ -22,8 +22,8 @@ namespace {
 using BodyContact = impinge::Contact;
 
 constexpr const char* kBodies = "body_pairs";
-constexpr const char* kPeer = "fcl_collide";  // that rates are given over
-constexpr std::size_t kMostDraws = 30;        // of poses, for each that is wanted
+constexpr const char* kPeer = "fcl_collide";  // rates are given relative to it
+constexpr std::size_t kMostDraws = 30;        // poses that are drawn for each one that is wanted
 constexpr double kNearRest = 60.0;            // degrees
 constexpr double kNearLimit = 2.0;            // degrees
 
@@ -54,7 +54,7 @@ Draw turned_by_up_to(double most_deg) {
   };
 }
 
-// Beside the limits of the named motions that have one; empty where none has.
+// Poses beside the limits of the named motions; empty if no motion has a limit.
 Draw near_limits(const TurnedJoint& joint) {
   struct Limit {
     JointTurn turn;
@@ -77,7 +77,7 @@ Draw near_limits(const TurnedJoint& joint) {
   };
 }
 
-// What BodyPairs says, and whether it is right of the surfaces.
+// The answer of BodyPairs; throws if it is wrong about the surfaces.
 bool ours_touches(const BodyPairs& bodies, const Pose& pose) {
   return bodies.verdict(pose).contact == BodyContact::yes;
 }
@@ -89,7 +89,7 @@ void hold(const TurnedJoint& joint, const BodyPairs& bodies, const Pose& pose, b
     throw std::runtime_error(joint.name + ": the exact test contradicts that of the bodies");
 }
 
-// Poses of one kind in which surfaces meet, and in which they do not.
+// Poses of one kind, by whether the surfaces meet.
 struct Sorted {
   std::vector<Pose> touching;
   std::vector<Pose> clear;
@@ -125,7 +125,7 @@ std::vector<Asked> methods_of(const TurnedJoint& joint, const std::shared_ptr<co
   return all;
 }
 
-// The methods in the poses of one kind and state.
+// Times the methods in the poses of one kind and state.
 void add_state(const TurnedJoint& joint, const std::vector<Asked>& methods, const std::string& kind,
                bool touching, const std::vector<Pose>& poses, const TouchPlan& plan,
                std::vector<TimedCase>& cases, std::vector<std::size_t>& otherwise) {

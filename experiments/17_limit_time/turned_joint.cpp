@@ -24,7 +24,7 @@ TriangleMesh turned_to(const Eigen::Matrix3d& axes, TriangleMesh mesh) {
   return mesh;
 }
 
-// As the program takes whole bones.
+// Prepares whole bones as the program does.
 TurnedJoint whole_joint(const RealJoint& described, const std::filesystem::path& folder) {
   JointInput input;
   input.ball = {kFemur, read_mesh(folder / kFemur)};

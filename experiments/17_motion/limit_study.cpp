@@ -6,7 +6,7 @@
 namespace impinge::lab {
 namespace {
 
-// A joint as it turns about one centre.
+// A joint that turns about one centre.
 struct CentredJoint {
   CentredJoint(const StudiedJoint& joint, CentreStrategy strategy)
       : shift(strategy == CentreStrategy::socket ? fit_ball(joint.meshes.socket).centre : Vec3::Zero()),
@@ -20,7 +20,7 @@ struct CentredJoint {
   TurnLimits limits;
 };
 
-// Does the motion need a side that is not known?
+// True if the motion needs no side, or the side is known.
 bool is_known(const NamedMotion& motion, const std::optional<Side>& side) {
   return side || motion_name(motion.growing).angle == &Motion::flexion;
 }
@@ -34,7 +34,7 @@ LimitCase limit_of(const StudiedJoint& joint, const CentredJoint& centred, const
   found.joint = joint.name;
   found.motion = &motion;
   found.shift_mm = centred.shift.norm();
-  // What another centre does is asked of contact alone, for the time it takes.
+  // The effect of another centre is worked out for contact only, to save time.
   if (gap_mm == 0.0)
     found.told = told_limit(centred.limits, turn, 0.0, largest);
   else

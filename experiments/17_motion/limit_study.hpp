@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far joints turn: every named motion, about the centre of the head and about that of the socket, up to
-// contact and up to thresholds of the gap.
+// How far joints turn: every named motion, about the centre of the head and about the socket's, up to contact
+// and up to thresholds of the gap.
 #pragma once
 
 #include <optional>
@@ -19,13 +19,13 @@ namespace impinge::lab {
 struct StudiedJoint {
   std::string name;          // in the results
   BallSocketPair meshes;     // mm
-  std::optional<Side> side;  // without one flexion and extension alone are known
+  std::optional<Side> side;  // without a side only flexion and extension are known
 };
 
-// Where the joint turns about.
+// The point about which the joint turns.
 enum class CentreStrategy {
   head,    // fixed: the centre of the head in the pose of the scan
-  socket,  // equidistant: the head is moved to the centre of a sphere fitted to the socket, so that the joint
+  socket,  // equidistant: the head is moved to the centre of a sphere fitted to the socket, so the joint
            // space is even (the static form of Puls et al. 2010)
 };
 
@@ -33,9 +33,9 @@ enum class CentreStrategy {
 struct LimitCase {
   std::string joint;                             // its name
   const NamedMotion* motion = nullptr;           // one of named_motions()
-  CentreStrategy centre = CentreStrategy::head;  // that the joint turns about
+  CentreStrategy centre = CentreStrategy::head;  // the joint turns about it
   double shift_mm = 0.0;                         // of the head from the pose of the scan
-  ToldLimit told;                                // as the program tells it
+  ToldLimit told;                                // as the program reports it
   std::string clock;                             // of the contact on the socket; empty where there is none
   std::optional<double> smallest_gap;            // of a vertex, mm, at the lower end of the bracket
 };
@@ -45,7 +45,7 @@ std::vector<LimitCase> limits_of(const StudiedJoint& joint, const std::vector<do
 
 // The tables motion_limits and motion_limit_details.
 Table limit_table(const std::vector<LimitCase>& cases);
-// Brackets, places and what half a millimetre of the input changes.
+// Brackets, places, and what half a millimetre of the input changes.
 Table limit_detail_table(const std::vector<LimitCase>& cases);
 
 Table phantom_table(const std::vector<PhantomRow>& rows);  // the table of validation (phantoms/phantom.hpp)

@@ -20,7 +20,7 @@ const Column kClock{"clock", "", "of the contact on the socket, 12 superior, 3 a
 const Column kSmallest{"smallest_gap_mm", "mm", "of a vertex, at the lower end"};
 const Column kState{"state", "", "limited; free; blocked at the start; unknown beyond the lower end"};
 
-// What both tables say of a limit's other centres.
+// Columns of both tables on a limit's other centres.
 void add_doubts(std::vector<Column>& columns) {
   columns.insert(
       columns.end(),

@@ -6,10 +6,10 @@
 // @seconds   12 70
 // @links     harness real_joints change phantoms
 //
-// Every named motion of every generated hip and real joint: a bracket of the angle of first contact that no
-// step can jump over (limits/turn_limit.hpp), about the centre of the head and about that of the socket; of
-// the angle at which gaps fall to a threshold; and the interval that holds for every centre within half a
-// millimetre (limits/centre_interval.hpp). Then Table 11 replayed on the stand-ins of its two patients.
+// Covers every named motion of every generated hip and real joint. A bracket of the angle of first contact,
+// over which no step can jump (limits/turn_limit.hpp), is found about the centre of the head and about the
+// socket's; then a bracket of the angle at which gaps fall to a threshold, and the interval that holds for
+// every centre within half a millimetre (limits/centre_interval.hpp). Table 11 is replayed on stand-ins.
 
 #include <cmath>
 #include <stdexcept>

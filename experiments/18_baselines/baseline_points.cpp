@@ -25,7 +25,7 @@ std::vector<Vec3> some_of(const std::vector<Vec3>& points, std::size_t most) {
 }
 
 constexpr std::array kOffsets{0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0};  // mm
-constexpr std::size_t kTries = 20;  // ways drawn for one that meets the socket
+constexpr std::size_t kTries = 20;  // paths drawn for one that meets the socket
 
 }  // namespace
 

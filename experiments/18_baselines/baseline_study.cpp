@@ -78,7 +78,8 @@ std::vector<TimedCase> cases_of(const std::vector<Prepared>& all, const Baseline
   return cases;
 }
 
-// Median and IQR of building, ms; scaled by the work from the largest size of the method that was timed.
+// Median and IQR of the building time, ms. For sizes that are not timed, it is scaled by the work from the
+// largest size that is.
 struct BuildTime {
   Cell median;
   Cell iqr;

@@ -6,10 +6,10 @@
 // @seconds   20 160
 // @links     harness contact_poses real_joints methods baseline_methods reference hip
 //
-// Hu's table of voxels, Maciel's table of triangles and a Cartesian distance field, each at several
-// resolutions, beside RSID. Each is checked against exact distances or radii before it is timed, and judged
-// in poses on either side of exact contacts. The joints: the generated pair, the stand-ins for the thesis'
-// two patients, and real joints.
+// The methods are Hu's table of voxels, Maciel's table of triangles, a Cartesian distance field, each at
+// several resolutions, and RSID. Each is checked against exact distances or radii before it is timed, and
+// judged in poses on either side of exact contacts. The joints are the generated pair, the stand-ins for the
+// thesis' two patients, and real joints.
 
 #include "18_baselines/baseline_study.hpp"
 #include "harness/driver.hpp"
@@ -24,7 +24,7 @@ namespace {
 using namespace impinge;
 using namespace impinge::lab;
 
-constexpr std::size_t kFaces = 12000;  // of each generated model, as the thesis' patient
+constexpr std::size_t kFaces = 12000;  // faces of each generated model, as the thesis' patient has
 constexpr std::size_t kFacesInQuick = 3000;
 
 BaselineSizes generated_sizes(bool quick) {
@@ -37,7 +37,7 @@ BaselineSizes generated_sizes(bool quick) {
           2e8};
 }
 
-// Of hips. The thesis' 400 rays a side and its 1 degree are in both profiles.
+// Sizes for hips. Both profiles include the thesis' 400 rays a side and 1 degree.
 BaselineSizes hip_sizes(bool quick) {
   if (quick) return {{1.0}, {100, 400}, {16}, {1.0}, 0.0};
   return {{2.0, 1.0, 0.5}, {10, 100, 400, 1600}, {32}, {1.0, 0.1}, 5e7};

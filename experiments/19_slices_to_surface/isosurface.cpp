@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A new folder for files that the script reads and writes, removed with them.
+// A new folder for the files of the script, removed together with them.
 class Exchange {
  public:
   Exchange() {
@@ -34,7 +34,7 @@ class Exchange {
 
   fs::path file(const char* name) const { return folder_ / name; }
 
-  // The mesh that a task of the script makes of a file.
+  // The mesh that a task of the script makes from a file.
   TriangleMesh made(const char* task, const fs::path& source, double number) const {
     const fs::path script =
         fs::path(build_info().source_folder) / "experiments/19_slices_to_surface/isosurface.py";

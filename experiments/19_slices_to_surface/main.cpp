@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  How much of the error of a gap comes from slices, noise, decimation, centre, table?
-// (Sections 3.4, 3.5.2)
+// @question  How much do slices, noise, decimation, centre and table add to a gap's error? (Section 3.5.2)
 // @writes    slices_to_surface slices_to_surface_image slices_to_surface_mesh
 // @timing    no
 // @seconds   5 60
 // @reads     19_slices_to_surface/isosurface.py
 // @links     harness imaging mesh_io hip reference
 //
-// A generated hip is scanned (pixels of 0.7 mm, slices of 0.5 to 5 mm, partial volume, noise), its surface
-// drawn and decimated by VTK (isosurface.py), the centre fitted and tables filled. An image and the surface
-// at 1.25 mm are kept for Figure 37.
+// A generated hip is scanned (pixels of 0.7 mm, slices of 0.5 to 5 mm, partial volume, noise). VTK makes and
+// decimates its surface (isosurface.py), the centre is fitted and tables are filled (thesis, Sections 3.4 and
+// 3.5.2). An image and the surface at 1.25 mm are kept for Figure 37.
 
 #include <cmath>
 #include <string>
@@ -45,7 +44,7 @@ void add_faces(Table& table, const char* name, const TriangleMesh& mesh) {
   }
 }
 
-// Columns alone.
+// The columns, without rows.
 Table stage_table() {
   Table table;
   table.columns = {{"slice_mm", "mm", "distance and thickness of the slices"},
@@ -62,7 +61,7 @@ Table stage_table() {
   return table;
 }
 
-// Adds the rows of one distance of the slices, mm.
+// Adds the rows for one slice distance, mm.
 void add_stages(Table& table, double slice_mm, const SlicesResult& result) {
   for (const StageError& stage : result.stages) {
     table.add_row({slice_mm, stage.stage, stage.ball_faces, stage.socket_faces, stage.directions,
@@ -84,7 +83,7 @@ Table mesh_table(const SlicesResult& result) {
   return table;
 }
 
-// The pixels of the slice through the centre of the head, of both bones in one image.
+// The pixels of the slice through the centre of the head, with both bones in one image.
 Table slice_table(const Hip& hip, const SlicesOptions& options) {
   const VoxelImage image = hounsfield(bone_shares(both_bones(hip), options.grid), options.levels);
   const auto k = static_cast<std::size_t>(std::round(-image.origin.z() / image.spacing.z()));
@@ -105,7 +104,7 @@ Table slice_table(const Hip& hip, const SlicesOptions& options) {
 }
 
 constexpr double kThesisSlice = 1.25;  // mm
-constexpr double kWall = 5.0;          // mm, so that the socket is a body
+constexpr double kWall = 5.0;          // mm, so that the socket is a closed body
 constexpr std::size_t kDirections = 8000;
 constexpr std::size_t kDirectionsInQuick = 1500;
 constexpr std::size_t kFaces = 48000;  // of the hip that is scanned

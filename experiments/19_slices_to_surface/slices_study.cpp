@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kMostGap = 8.0;               // mm
 constexpr double kAround = 3.0;                // degrees
-constexpr std::uint64_t kSocketSeed = 0x5eed;  // the two bones have noise of their own
+constexpr std::uint64_t kSocketSeed = 0x5eed;  // so that the two bones have different noise
 
 using Gaps = std::vector<double>;
 
@@ -62,7 +62,7 @@ Gaps table_gaps(const BallSocketPair& pair, const std::vector<Vec3>& directions,
   return gaps;
 }
 
-// Collects the stages, each beside the truth and the one before.
+// Collects the stages and compares each with the truth and with the stage before.
 class Stages {
  public:
   explicit Stages(const FacingGaps& truth) : truth_(truth), before_(truth.gap) {}

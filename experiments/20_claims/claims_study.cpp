@@ -23,7 +23,7 @@
 namespace impinge::lab {
 namespace {
 
-constexpr double kThickness = 2.0;  // mm of cartilage on the ball, square to the bone
+constexpr double kThickness = 2.0;  // mm of cartilage on the ball, along the normal of the bone
 
 // The outer surface of a layer: each vertex moved along the mean normal of its faces.
 TriangleMesh outer_layer(const TriangleMesh& bone) {
@@ -41,8 +41,7 @@ struct LayerSurfaces {
   const TriangleMesh& cartilage;
 };
 
-// How far the outer surface is from where a distance added to the radius of the bone puts it, in directions
-// of unit vectors.
+// Distance of the outer surface from the radius of the bone plus the thickness, along unit vectors.
 void add_differences(ClaimsStudy& study, const std::string& setting, const LayerSurfaces& layers,
                      const std::vector<Vec3>& directions) {
   const char* claim = "several layers";
@@ -64,7 +63,7 @@ void add_differences(ClaimsStudy& study, const std::string& setting, const Layer
       {claim, setting, "vertices off by above 0.1 mm", 100.0 * static_cast<double>(apart) / count, "%"});
 }
 
-// Directions of the ball's vertices: all of them, and those in which the socket is met.
+// Adds this for the directions of all of the ball's vertices, and for those in which the socket is met.
 void add_differences(ClaimsStudy& study, const std::string& name, const Hip& hip,
                      const TriangleMesh& cartilage) {
   const std::vector<Vec3>& all = hip.ball.vertices;
@@ -78,9 +77,9 @@ void add_differences(ClaimsStudy& study, const std::string& name, const Hip& hip
   add_differences(study, name + " hip, under the socket", layers, facing);
 }
 
-constexpr double kDepth = 0.5;  // mm, that the middle of the cap moves in
+constexpr double kDepth = 0.5;  // mm that the middle of the cap moves inwards
 
-// Vertices within the cap move towards the centre, less towards its border.
+// Moves the vertices within the cap towards the centre, less towards its border.
 TriangleMesh dented(TriangleMesh mesh, double cap_deg) {
   const Vec3 middle = mesh.vertices[mesh.vertices.size() / 3].normalized();
   for (Vec3& v : mesh.vertices) {
@@ -103,10 +102,10 @@ struct Deforming {
 constexpr double kBone = 24.0;       // mm
 constexpr double kCartilage = 26.0;  // mm
 constexpr double kPressed = 3.0;     // mm, deeper than the cartilage is thick
-constexpr double kCap = 25.0;        // degrees, half the width of what is pressed in
+constexpr double kCap = 25.0;        // degrees, half the width of the cap that is pressed in
 
-// Bone and, pressed in on one side, cartilage: one mesh whose two layers cross along a ring. The bone is
-// turned, so that no vertex of one lies under one of the other.
+// Bone, and cartilage that is pressed in on one side: one mesh whose two layers cross along a ring. The bone
+// is turned so that no vertex of one lies under a vertex of the other.
 TriangleMesh pressed_cartilage(std::size_t faces) {
   const Vec3 middle = Vec3(0.5, -0.3, 0.6).normalized();
   TriangleMesh mesh = radial_body(faces, [&middle](const Vec3& u) {

@@ -17,9 +17,9 @@
 
 namespace impinge::lab {
 
-// One row of the table: a number that speaks for or against a claim.
+// A row of the table: a number for or against a claim.
 struct Claim {
-  std::string claim;     // of the thesis, in words
+  std::string claim;     // claim of the thesis, in words
   std::string setting;   // such as the precision
   std::string quantity;  // what the number is
   double value = 0.0;    // the number
@@ -27,11 +27,11 @@ struct Claim {
 };
 
 struct ClaimsStudy {
-  std::vector<Claim> rows;       // what was measured without timing
-  std::vector<TimedCase> cases;  // key: claim, setting, quantity; they own what they work on
+  std::vector<Claim> rows;       // what is measured without timing
+  std::vector<TimedCase> cases;  // key: claim, setting, quantity; the cases own what they work on
 };
 
-// Sizes of what is tried.
+// Sizes of the experiments.
 struct ClaimsOptions {
   std::size_t faces = 12000;                                 // of each surface
   double precision_deg = 0.5;                                // of the tables
@@ -40,15 +40,15 @@ struct ClaimsOptions {
   int rounds = 9;                                            // of each timed case
 };
 
-// A cap of the ball moves in and out again: the table is brought up to date in place, or filled anew. The two
-// must be the same, bit for bit, else std::runtime_error.
+// Times a cap of the ball that moves in and out again: the table is updated in place, or filled anew. Throws
+// std::runtime_error unless both are the same, bit for bit.
 void add_deforming(ClaimsStudy& study, const ClaimsOptions& options);
 
-// A layer of cartilage is pressed through the bone under it. Found pairs of triangles beside those that cross
-// exactly.
+// Presses a layer of cartilage through the bone under it, and compares the pairs of triangles that are found
+// with those that cross exactly.
 void add_self_collision(ClaimsStudy& study, const ClaimsOptions& options);
 
-// Where cartilage is, beside a distance that is added to the radius of the bone.
+// Compares the place of the cartilage with a distance added to the radius of the bone.
 void add_layers(ClaimsStudy& study, const ClaimsOptions& options);
 
 // The result and its times.
@@ -57,18 +57,16 @@ struct ClaimsTables {
   TimingRun timing;  // of the cases
 };
 std::vector<Column> claims_keys();  // claim, setting, quantity
-// Times the cases and puts them below the rows.
+// Times the cases and appends them to the rows.
 ClaimsTables claims_tables(const ClaimsStudy& study, Progress& progress);
 
-// Self-collision found while a table is filled, as the thesis proposes (Chapter 6): two triangles that are no
-// neighbours and put the same radius into one entry.
-//
-// On a table the same radius is one that differs by no more than a tolerance: two planes that cross between
-// entries differ, at the entry nearest to the crossing, by up to r rho (tan psi_1 + tan psi_2), rho the
-// covering radius. With a smaller tolerance crossings are missed; layers that run closer than the tolerance
+// Finds self-collision while a table is filled, as the thesis proposes (Chapter 6): two triangles without a
+// common vertex put the same radius into one entry. "The same" means within a tolerance. Two planes that
+// cross between entries differ, at the entry nearest to the crossing, by up to r rho (tan psi_1 + tan psi_2),
+// where rho is the covering radius. A smaller tolerance misses crossings; layers closer than the tolerance
 // are reported though they are apart.
 
-// Faces by number, the smaller first.
+// Indices of two faces, the smaller first.
 using FacePair = std::pair<std::size_t, std::size_t>;
 
 // Do the faces share a vertex?
@@ -76,7 +74,7 @@ inline bool are_neighbours(const Face& a, const Face& b) {
   return std::ranges::any_of(a, [&b](VertexIndex v) { return std::ranges::find(b, v) != b.end(); });
 }
 
-// Every pair once, in order. mesh in the centre frame; tolerance in mm, 0 or more.
+// Every pair once, in order. `mesh` is in the centre frame; the tolerance is in mm, 0 or more.
 template <SamplingScheme S>
 std::vector<FacePair> self_collisions(const TriangleMesh& mesh, const S& scheme, double tolerance) {
   struct Sample {

@@ -5,8 +5,8 @@
 // @seconds   5 40
 // @links     harness face_crossings hip local_refill reference
 //
-// A deforming surface updated in place, self-collision found while sampling, several layers: each a small
-// experiment, with an exact or bit-for-bit check before anything is timed.
+// A deforming surface updated in place, self-collision found while sampling, and several layers. Each is a
+// small experiment with an exact or bit-for-bit check before anything is timed.
 
 #include "20_claims/claims_study.hpp"
 #include "harness/driver.hpp"

@@ -16,15 +16,15 @@
 namespace impinge::lab {
 namespace {
 
-constexpr double kSteps = 1e4;  // of a millimetre or a degree, to which what is drawn is rounded
+constexpr double kSteps = 1e4;  // steps per millimetre or degree to which drawings are rounded
 
 double rounded(double value) { return std::round(kSteps * value) / kSteps; }
 
 constexpr double kGrid = 1048576.0;  // 2^20 steps in a millimetre
 constexpr double kSphereRadius = 22.0;
 
-// Of the edge between a corner at height front >= 0 and one at height behind < 0: the same bits from either
-// of its faces.
+// Crossing of the edge from a corner at height `front` >= 0 to one at height `behind` < 0. Both faces of the
+// edge get the same bits.
 Vec3 edge_crossing(const Vec3& in_front, double front, const Vec3& at_back, double behind) {
   return in_front + front / (front - behind) * (at_back - in_front);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  What do a look-up and a scan do, on a real joint? (Figures 26, 27, 29 and 35)
+// @question  How do a look-up and a scan work, shown on a hip? (Figures 26, 27, 29 and 35)
 // @writes    diagram_sections diagram_rays diagram_bodies diagram_lookups diagram_excerpt diagram_scans
 // @timing    no
 // @seconds   1 1
@@ -34,19 +34,19 @@ namespace {
 using namespace impinge;
 using namespace impinge::lab;
 
-// What the diagrams of the thesis' detection draw (Figures 26, 27 and 35): one vertex of a ball, looked up in
-// the socket's table in a few poses, and the two scans of a pose in numbers. Lengths in mm.
+// The data for diagrams of the thesis' detection (Figures 26, 27 and 35): one vertex of a ball, looked up in
+// the socket's table in a few poses, and the numbers of both scans in a pose. Lengths in mm.
 
-// A vertex of the ball in a pose that has a name.
+// A vertex of the ball in a named pose.
 struct PosedVertex {
   std::string_view pose_name;  // name of the pose
-  std::size_t vertex = 0;      // place among the vertices of the ball
+  std::size_t vertex = 0;      // index of the vertex in the ball's mesh
   Vec3 x = Vec3::Zero();       // socket frame, mm
 };
 
-constexpr long kAround = 2;  // rows and columns of an excerpt beyond the cell
+constexpr long kAround = 2;  // rows and columns of an excerpt around the cell
 
-// One scan: whose vertices, against whose table, and what came out.
+// One scan: whose vertices, against whose table, and the result.
 struct Scan {
   std::string_view scanned;
   const TriangleMesh& mesh;
@@ -70,8 +70,8 @@ void add_scan(const Scan& scan, Table& scans) {
                  filled, RadialTable<Rsid>::bytes(scan.table.scheme()), met, impinged, smallest});
 }
 
-// The vertex nearest to the plane y = 0 among those at polar angles between the two limits (radians) and
-// x > 0: one that a section by that plane shows. std::invalid_argument where there is none.
+// The vertex nearest to the plane y = 0 with x > 0 and a polar angle between the two limits (radians), so
+// that a section by that plane shows it. Throws std::invalid_argument if there is none.
 std::size_t vertex_in_section(const TriangleMesh& mesh, double phi_from, double phi_to) {
   std::size_t found = mesh.vertices.size();
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
@@ -84,7 +84,7 @@ std::size_t vertex_in_section(const TriangleMesh& mesh, double phi_from, double 
   return found;
 }
 
-// Columns alone.
+// The columns, without rows.
 Table lookup_table() {
   return {{{"pose", "", "name of the pose"},
            {"vertex", "1", "of the ball"},
@@ -99,7 +99,7 @@ Table lookup_table() {
           {}};
 }
 
-// The row of one vertex: its angles and radius, the radius in the table, the gap.
+// Adds the row of one vertex: its angles and radius, the radius in the table, and the gap.
 void add_lookup(const PosedVertex& vertex, const RadialTable<Rsid>& socket, Table& lookups) {
   const Vec3& x = vertex.x;
   const Angles at = to_angles(x);
@@ -119,8 +119,7 @@ Table excerpt_table() {
           {}};
 }
 
-// Rows of the entries round those that the look-up reads, with their weights: the rows and columns of its
-// cell, and two more on either side.
+// Adds the entries around a look-up, with their weights: rows and columns of its cell, and two on each side.
 void add_excerpt(const PosedVertex& vertex, const RadialTable<Rsid>& socket, Table& excerpt) {
   const Rsid& scheme = socket.scheme();
   const Stencil stencil = scheme.stencil(vertex.x);
@@ -156,7 +155,7 @@ Table scan_table() {
           {}};
 }
 
-// Two rows, one a scan of a joint (socket frame, ball frame) in a pose, tables filled as in the thesis.
+// Adds two rows, one for each scan of a joint (socket frame, ball frame) in a pose; tables as in the thesis.
 void add_scans(const TriangleMesh& ball, const TriangleMesh& socket, const Pose& pose, const Rsid& scheme,
                Table& scans) {
   const RadialTable<Rsid> ball_table = fill_thesis(ball, scheme, Layer::farthest);
@@ -170,11 +169,11 @@ void add_scans(const TriangleMesh& ball, const TriangleMesh& socket, const Pose&
 }
 
 constexpr const char* kHip = "patient_a";
-constexpr double kPrecision = 1.0;  // degrees, of looked-up tables
+constexpr double kPrecision = 1.0;  // degrees, precision of the tables
 constexpr double kRayStep = 5.0;    // degrees, in sections
 constexpr double kTurn = 40.0;      // degrees of abduction, Figure 35 b
 constexpr double kPush = 7.0;       // mm upwards, Figure 35 c
-// Flexion and internal rotation together, as when a physician tests for impingement: the bones overlap.
+// Flexion with internal rotation, as in a physician's impingement test; the bones overlap.
 constexpr Motion kImpinging{.flexion = 100.0, .internal_rotation = 15.0};
 
 struct NamedPose {
@@ -186,8 +185,7 @@ Pose turned(const Motion& motion, const HipParameters& shape) {
   return {joint_rotation(motion, shape.side), Vec3::Zero()};
 }
 
-// Figures 26, 27 and 35: the hip in the plane y = 0 (the patient's frontal plane), a vertex looked up, and
-// both scans.
+// Figures 26, 27 and 35: the hip in the patient's frontal plane, y = 0, the look-up of a vertex, both scans.
 void body(DriverRun& run) {
   const HipParameters shape = hip_preset(kHip);
   const Hip hip = make_hip(shape);

@@ -23,9 +23,24 @@ using Eigen::ArrayXXd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kThinnest = 0.05;  // h / a
+// With J0 and J1 the Hankel transforms turn the equations of elasticity into ordinary ones in z. Their
+// solutions without displacement at the bone are, with s = xi z, k = 3 - 4 nu and amplitudes A and B,
+//   u_z: A s sinh s + B (s cosh s - k sinh s),   u_r: -A (s cosh s + k sinh s) - B s sinh s,   over xi.
+// The pressure p = integral of xi P(xi) J0(xi r) and no shear at the surface give A and B, and the
+// displacement there (1 - nu) / (mu xi) P (1 - g(xi h)) with
+//   g(x) = 1 - (k sinh x cosh x - x) / (k sinh^2 x + x^2 + 4 (1 - nu)^2).
+// P(xi) = mu / (1 - nu) times the integral of phi(t) cos(xi t) over 0 <= t <= a leaves no pressure outside
+// the circle. Abel's inversion of the depth inside gives the equation of Lebedev and Ufliand (1958)
+//   phi(t) - 2 / pi integral over s of phi(s) integral over xi of g cos(xi t) cos(xi s)
+//     = 2 / pi (d - t^2 / R).
+// It is of the second kind and solved at Gauss-Legendre nodes. The pressure ends smoothly, so phi(a) = 0,
+// which gives d. Limits: Hertz for h >> a; p = (lambda + 2 mu) (d - r^2 / 2R) / h for h << a (Johnson 1985,
+// Section 5.8); and for nu = 1/2 and h << a p = 3 mu (a^2 - r^2)^2 / (32 R h^3) with d = a^2 / (4 R) (Jaffar
+// 1989, Barber 1990).
+
+constexpr double kThinnest = 0.05;  // h / a, radius of contact a
 constexpr double kThickest = 50.0;
-// Transforms fall as x^2 exp(-x) at the bone, and twice as fast in g.
+// Transforms fall as x^2 exp(-x) at the bone, and g falls twice as fast.
 constexpr double kLargestArgument = 40.0;  // of x = xi h
 
 struct Rule {
@@ -33,7 +48,7 @@ struct Rule {
   ArrayXd weight;
 };
 
-// Gauss-Legendre over 0 to `to`.
+// Gauss-Legendre nodes and weights from 0 to `to`.
 Rule gauss(Eigen::Index count, double to) {
   const auto size = static_cast<std::size_t>(count);
   const std::unique_ptr<gsl_integration_glfixed_table, decltype(&gsl_integration_glfixed_table_free)> table(
@@ -47,7 +62,7 @@ Rule gauss(Eigen::Index count, double to) {
   return rule;
 }
 
-// The layer at one x = xi h; hyperbolic functions over exp(x), so that none overflows.
+// The layer at one x = xi h. Hyperbolic functions are divided by exp(x), so that none overflows.
 struct Mode {
   Mode(double x_of_h, double nu)
       : x(x_of_h),
@@ -59,10 +74,10 @@ struct Mode {
         whole(k * s * s + (x * x + clamp) * fade) {}
 
   double missing() const { return fade * (x * x + x + clamp - k * s) / whole; }  // g
-  // A and B over exp(-x), for a pressure of one.
+  // A and B divided by exp(-x), for a pressure of one.
   double amplitude_a() const { return -(2.0 * x * c + (1.0 - k) * s) / (4.0 * whole); }
   double amplitude_b() const { return ((1.0 + k) * c + 2.0 * x * s) / (4.0 * whole); }
-  // d u_z / d z at the surface.
+  // d u_z / d z at the surface
   double surface_slope() const {
     return amplitude_a() * (s + x * c) + amplitude_b() * ((1.0 - k) * c + x * s);
   }
@@ -98,7 +113,8 @@ void require_layer(const ElasticLayer& layer, double contact) {
 
 LayerContact::LayerContact(const ElasticLayer& layer, double contact) : layer_(layer), a_(contact) {
   require_layer(layer, contact);
-  // Enough for the cosines to turn: those of xi t up to kLargestArgument a / h, those of the product twice.
+  // Enough nodes for the cosines to oscillate: xi t goes up to kLargestArgument a / h, the product twice as
+  // far.
   const double turns = contact / layer.thickness;
   const Rule in_circle = gauss(static_cast<Eigen::Index>(40.0 + 20.0 * turns), contact);
   const Rule in_space =
@@ -115,7 +131,7 @@ LayerContact::LayerContact(const ElasticLayer& layer, double contact) : layer_(l
   right << VectorXd::Constant(t_.size(), 2.0 / kPi), (2.0 / kPi) * t_.square().matrix();
   const MatrixXd both = system.partialPivLu().solve(right);
   const MatrixXd weighted = in_circle.weight.matrix().asDiagonal() * both;
-  // phi(a) = 0 of d times the first less the second.
+  // phi(a) = 0, where phi is d times the first solution minus the second.
   const VectorXd edge = (2.0 / kPi) * weighted.transpose() * wave * ((a_ * xi_).cos() * missing_).matrix() +
                         (2.0 / kPi) * Eigen::Vector2d(1.0, a_ * a_);
   d_ = edge[1] / edge[0];
@@ -126,7 +142,7 @@ LayerContact::LayerContact(const ElasticLayer& layer, double contact) : layer_(l
 double LayerContact::force() const { return 2.0 * kPi / (1.0 - layer_.poisson) * phi_.sum(); }
 
 double LayerContact::bend(double t) const {
-  // sin(xi t) / t, also in the middle.
+  // sin(xi t) / t, with its limit at t = 0
   const ArrayXd turned = t > 0.0 ? ArrayXd((t * xi_).sin() / t) : xi_;
   return (2.0 / kPi) * (2.0 + (missing_ * transform_ * xi_ * turned).sum());
 }
@@ -159,7 +175,7 @@ double LayerContact::bone_shear(double r) const {
   return -4.0 * (xi_step_ * xi_ * mode * transform_ * wave).sum();  // (1 + k) / (1 - nu)
 }
 
-// What a half-space has there, and what the bone below adds to it.
+// The strain of a half-space there, plus what the bone below adds to it.
 double LayerContact::middle_surface_strain() const {
   const double half_space = 0.5 * (1.0 - 2.0 * layer_.poisson);
   const ArrayXd added = of_modes(xi_, layer_, [&](const Mode& m) { return m.surface_slope() + half_space; });

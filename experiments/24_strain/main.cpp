@@ -5,8 +5,8 @@
 // @seconds   1 4
 // @links     harness gap hip reference GSL::gsl
 //
-// Strain by gap, overlap over thickness, beside the linear elastic solution of a layer between rigid spheres,
-// for its Poisson ratio and thickness; at rays that are oblique; and by hours of the dial in impinged hips.
+// Compares strain by gap (overlap divided by thickness) with the linear elastic solution of a layer between
+// rigid spheres, by Poisson ratio and thickness; along oblique rays; and by hours in impinged hips.
 
 #include "24_strain/strain_study.hpp"
 #include "harness/driver.hpp"
@@ -19,7 +19,7 @@ using namespace impinge::lab;
 constexpr double kPoisson[] = {0.0, 0.3, 0.45, 0.49, 0.5};
 constexpr double kThickness[] = {0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0};  // over the radius of contact
 constexpr double kGaps[] = {1.0, 2.0, 3.0};                                  // mm
-// The ends of recorded motions at which the stand-ins are impinged (Table 11), and a cam in flexion.
+// The ends of the recorded motions in which the stand-ins are impinged (Table 11), and a cam in flexion.
 constexpr const char* kPoses[][2] = {{"patient_a", "flexion=103.1"},
                                      {"patient_b", "flexion=115.8"},
                                      {"cam", "flexion=90,internal_rotation=10"}};

@@ -22,12 +22,12 @@
 namespace impinge::lab {
 namespace {
 
-constexpr std::size_t kBins = 7;      // of incidence
-constexpr double kBinDegrees = 10.0;  // each
+constexpr std::size_t kBins = 7;      // bins of the incidence
+constexpr double kBinDegrees = 10.0;  // width of a bin
 constexpr std::size_t kHours = 12;
 constexpr std::size_t kMapDirections = 400;
 
-// Largest shear at the bone; it is under the contact.
+// Largest shear at the bone, which is under the contact.
 double largest_shear(const LayerContact& contact) {
   constexpr int steps = 60;
   double largest = 0.0;
@@ -36,14 +36,14 @@ double largest_shear(const LayerContact& contact) {
   return largest;
 }
 
-// Displacement of the surface, over that in the middle, at the end of the wider of the contact and of the
-// overlap of the undeformed shapes: where the gap says that there is no strain.
+// Displacement of the surface where the gap says that there is no strain, divided by that in the middle: at
+// the end of the contact or of the overlap of the undeformed shapes, whichever is wider.
 double edge(const LayerContact& contact) {
   const double overlap = std::sqrt(2.0 * contact.approach());
   return contact.sunk(std::max(overlap, contact.contact())) / contact.approach();
 }
 
-// The gaps of socket vertices by a table of the ball, as a user has them.
+// The gaps of the socket's vertices from a table of the ball, as a user gets them.
 std::vector<double> table_gaps(const TriangleMesh& ball, std::span<const Vec3> vertices, const Pose& pose,
                                double precision_deg) {
   std::vector<double> gap(vertices.size());
@@ -52,11 +52,11 @@ std::vector<double> table_gaps(const TriangleMesh& ball, std::span<const Vec3> v
   return gap;
 }
 
-// Angle of the ray through a point of the socket to the normals of both spheres, the mean of the two: the gap
-// along it is that along the normal over the cosine, but for terms of second order.
+// Mean angle of the ray through a point of the socket to the normals of both spheres. To first order the gap
+// along the ray is the gap along the normal divided by its cosine.
 double angle_of_ray(const Vec3& x, const Vec3& centre, double ball_radius) {
   const double at_socket = angle_between(x.normalized(), (x - centre).normalized());
-  // The ray passes the centre of the spheres at one distance.
+  // The ray passes the centre of both spheres at the same distance.
   return 0.5 *
          (at_socket + std::asin(std::min(1.0, (x - centre).norm() / ball_radius * std::sin(at_socket))));
 }
@@ -64,8 +64,8 @@ double angle_of_ray(const Vec3& x, const Vec3& centre, double ball_radius) {
 // Strains at one angle.
 struct Incidence {
   std::vector<double> by_gap;
-  double angle = 0.0;          // sum
-  double largest_error = 0.0;  // largest |strain by gap times cos psi - the true one|
+  double angle = 0.0;          // sum over the points
+  double largest_error = 0.0;  // largest |strain by gap times cos psi - true strain|
 };
 
 struct Cartilage {
@@ -106,7 +106,7 @@ void add(Hour& hour, double area, double strain, double by_distance) {
   hour.largest_difference = std::max(hour.largest_difference, by_distance - strain);
 }
 
-// What an hour takes to know of a socket in a pose. All of one size.
+// The data for the hours of a socket in a pose. All lists have the same size.
 struct Strained {
   const std::vector<Vec3>& places;
   std::vector<double> gap;       // mm, radial
@@ -150,7 +150,7 @@ void add_layer(Table& table, double poisson, double thickness) {
   const LayerContact contact({poisson, thickness}, 1.0);
   const double strain = contact.strain_by_gap(0.0);
   const double modulus = contact.aggregate_modulus();
-  // Of springs side by side: the volume of the overlap over h. None where they are infinitely stiff.
+  // For springs side by side this is the volume of the overlap over h; NaN if they are infinitely stiff.
   const double unless = poisson < 0.5 ? 1.0 : std::numeric_limits<double>::quiet_NaN();
   const double pressure = unless * modulus * strain / contact.pressure(0.0);
   const double force = unless * modulus * kPi * contact.approach() * strain / contact.force();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far strain by gap (24_strain/layer_contact.hpp) is from that of elastic layers, at oblique rays, and in
-// a hip.
+// How far strain by gap (24_strain/layer_contact.hpp) is from the strain of elastic layers: in contacts of a
+// sphere, along oblique rays, and in a hip.
 #pragma once
 
 #include <cstddef>
@@ -12,44 +12,43 @@
 
 namespace impinge::lab {
 
-// strain_layer.csv: one contact of an elastic layer a row, see 24_strain/layer_contact.hpp. What the gap
-// says, or what follows from it for independent springs, over the elastic answer; strains over that by gap in
-// the middle of the contact.
+// strain_layer.csv: one contact of an elastic layer per row (24_strain/layer_contact.hpp). Pressure and force
+// by gap, as for independent springs, are divided by the elastic ones; strains are divided by strain by gap
+// in the middle of the contact.
 Table layer_table();
-// Adds its row: a layer of that Poisson ratio, `thickness` radii of contact thick.
+// Adds the row of a layer with this Poisson ratio, `thickness` radii of contact thick.
 void add_layer(Table& table, double poisson, double thickness);
 
-// A rigid ball in a socket about the same centre, looked at from a centre of rotation that is off: every gap
-// is equally wide, and rays meet it at every angle.
+// A rigid ball in a concentric socket, seen from an eccentric centre of rotation: all gaps are equally wide,
+// and rays meet them at every angle.
 struct ObliqueJoint {
   double ball_radius = 24.0;   // mm
   double gap = 2.0;            // mm, along the normal
   double cartilage = 4.0;      // mm, both layers, along the normal
-  double off = 0.95;           // of the centre of rotation, over the radius of the ball
+  double off = 0.95;           // of the centre of rotation from theirs, over the ball's radius
   std::size_t faces = 20000;   // of each surface
   double precision_deg = 0.5;  // of the table
 };
 
-// strain_incidence.csv: ten degrees of the angle between ray and normal a row.
+// strain_incidence.csv: one row per ten degrees of the angle between ray and normal.
 Table incidence_table();
 void add_incidence(Table& table, const ObliqueJoint& joint);  // adds its rows
 
 // A preset (hip/hip_presets.hpp) in a pose.
 struct StrainedHip {
   std::string preset;          // its name
-  std::string pose;            // as parse_motion() reads it
-  double cartilage = 4.0;      // mm, both layers: everywhere, or in the middle
+  std::string pose;            // in the form that parse_motion() reads
+  double cartilage = 4.0;      // mm, both layers: everywhere, or in the middle if it varies
   std::size_t faces = 12000;   // of each surface
   double precision_deg = 0.5;  // of the table
 };
 
-// strain_hip.csv: an hour of the socket's dial and a choice of cartilage a row; hours without strain are left
-// out.
+// strain_hip.csv: one row per hour of the dial and choice of cartilage, without hours that have no strain.
 Table hip_strain_table();
 void add_hip_strain(Table& table, const StrainedHip& hip);  // adds its rows
 
-// By place the cartilage is thicker in front and above, by this share of its mean, and as much thinner at the
-// other end: our choice, to show what it changes.
+// Where the cartilage varies with the place, it is thicker in front and above by this share of its mean, and
+// as much thinner at the other end. Our choice, to show the effect.
 inline constexpr double kThicker = 0.3;
 
 }  // namespace impinge::lab

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// @question  Who misses a first meeting while one turns, who finds a false one, and in what time?
+// @question  Which methods miss the first contact of a turn, which report a false one, and how fast are they?
 // @writes    turns turn_time turn_time_samples
 // @timing    yes
 // @seconds   5 600
 // @reads     28_turns/turns.py 28_turns/pairs.py 28_turns/meshes.py 28_turns/exact.py
 // @links     harness limits method_cgal turns_methods steps_methods
 //
-// The test set of turns (README.md): pairs of features and of meshes with the exact angle at which they first
-// meet, from easy to degenerate; with IMPINGE_TURNS in the environment the set in that folder. It fails if
-// one of our methods misses a meeting. Times are of the first queries of each kind.
+// The test set of turns (README.md) has pairs of features and of meshes with the exact angle at which they
+// first meet, from easy to degenerate; IMPINGE_TURNS in the environment names the folder of another set. The
+// run fails if one of our methods misses a contact. Times are for the first queries of each kind.
 
 #include <cstdlib>
 #include <map>
@@ -32,15 +32,15 @@ using namespace impinge::lab;
 
 constexpr TurnSetSizes kQuick{1, 72, 9};
 constexpr TurnSetSizes kFull{1, 10'000, 200};
-constexpr std::size_t kTimedPairs = 360;  // of a kind
+constexpr std::size_t kTimedPairs = 360;  // queries of a kind that are timed
 constexpr std::size_t kTimedMeshes = 36;
 
-// The queries of a kind that a setting is timed with, ready to be asked.
+// The prepared queries of one kind with which a setting is timed.
 struct Prepared {
   std::vector<FindTurn> asked;
-  double building_us = 0.0;  // a query
-  double seconds = 0.0;      // of asking all of them once
-  double typical_us = 0.0;   // of asking one, median over the queries
+  double building_us = 0.0;  // per query
+  double seconds = 0.0;      // for all of them once
+  double typical_us = 0.0;   // for one query, the median
   void run() const {
     for (const FindTurn& find : asked) benchmark::DoNotOptimize(find());
   }

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = TurnQuery::Kind;
 
-constexpr std::size_t kPoints = 8;  // columns before those of the points, or of the files
+constexpr std::size_t kPoints = 8;  // columns before the points, or the files
 constexpr std::size_t kEach = 9;    // columns of up to three points
 
 std::vector<std::string> cells(const std::string& line) {
@@ -29,7 +29,7 @@ std::vector<std::string> cells(const std::string& line) {
   return parts;
 }
 
-// One face, which repeats its last corner where there are fewer than three points.
+// One face; it repeats its last corner if there are fewer than three points.
 TriangleMesh feature(const std::vector<std::string>& row, std::size_t from) {
   TriangleMesh mesh;
   for (std::size_t k = from; k < from + kEach && !row[k].empty(); k += 3)
@@ -39,7 +39,7 @@ TriangleMesh feature(const std::vector<std::string>& row, std::size_t from) {
   return mesh;
 }
 
-// In double, as they are: mesh/io.hpp rounds to float.
+// Reads doubles as they are; mesh/io.hpp rounds to float.
 TriangleMesh read_off(const fs::path& path) {
   std::ifstream in(path);
   std::string word;

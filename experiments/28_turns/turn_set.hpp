@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The test set of turns (README.md), as turns.py makes it.
+// The test set of turns (README.md), made by turns.py.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct KnownTurn {
   std::string kind;  // vertex_face, edge_edge, face_face or mesh
   std::string family;
   TurnQuery query;
-  std::optional<double> first;  // radians; none where they do not meet
+  std::optional<double> first;  // radians; none if they do not meet
 };
 
 struct TurnSetSizes {
@@ -28,10 +28,10 @@ struct TurnSetSizes {
   std::size_t meshes = 200;
 };
 
-/// Makes a set in a folder of its own, reads it and removes it. std::runtime_error if Python fails.
+/// Makes a set in a temporary folder, and reads it. Throws std::runtime_error if Python fails.
 std::vector<KnownTurn> make_turn_set(const TurnSetSizes& sizes);
 
-/// The queries of pairs.csv and meshes.csv in the folder. std::runtime_error where one cannot be read.
+/// The queries of pairs.csv and meshes.csv in the folder. Throws std::runtime_error if one cannot be read.
 std::vector<KnownTurn> read_turn_set(const std::filesystem::path& folder);
 
 }  // namespace impinge::lab

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What methods answer to the test set of turns, and how long they take.
+// The answers of methods to the test set of turns, and their times.
 #pragma once
 
 #include <span>
@@ -11,28 +11,27 @@
 
 namespace impinge::lab {
 
-inline constexpr double kTurnTolerance = 1e-6;  // radians, that an answer may be off
+inline constexpr double kTurnTolerance = 1e-6;  // radians by which an answer may be off
 
-/// All settings of all methods that can be asked: those of methods/turns.hpp, tests of touch in steps, and
-/// CGAL's exact one.
+/// All settings of all methods that can answer: those of methods/turns.hpp, tests of touch in steps, CGAL's.
 std::vector<TurnCase> turn_cases(bool quick);
 
-/// What one setting answers to the queries of a kind and a family.
+/// The answers of one setting to the queries of one kind and family.
 struct TurnTally {
   std::size_t queries = 0;
-  std::size_t meet = 0;        // of these
+  std::size_t meet = 0;        // queries that meet
   std::size_t missed = 0;      // no answer, or one too late
-  std::size_t false_hits = 0;  // an answer where they do not meet
+  std::size_t false_hits = 0;  // an answer though they do not meet
   std::size_t early = 0;       // an answer too early
-  std::size_t undecided = 0;   // none up to its angle, which is not too late, and no more is said
+  std::size_t undecided = 0;   // no contact up to an angle that is not too late, and nothing known beyond
   double largest_late = 0.0;   // radians, of answers where they meet
   double largest_early = 0.0;  // radians
-  std::string missed_first;    // name of the first query that was missed
+  std::string missed_first;    // name of the first query with a missed contact
 
   void add(const KnownTurn& turn, const TurnAnswer& answer);
 };
 
-/// The columns of the tallies, and a row.
+/// The columns of the tallies, and the cells of a row.
 std::vector<Column> tally_columns();
 std::vector<Cell> tally_cells(const TurnTally& tally);
 

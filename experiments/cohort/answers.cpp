@@ -28,7 +28,7 @@ std::vector<Column> volume_columns() {
 std::vector<Cell> volume_cells(const Member& member) {
   if (!member.volume) return std::vector<Cell>(volume_columns().size());
   VolumeSettings settings;
-  settings.threads = 1;  // shards run beside each other
+  settings.threads = 1;  // shards run side by side
   const VolumeShares shares = MotionVolume(CellTest(member.meshes), settings).shares();
   return {shares.low(), shares.high(), shares.reached(), shares.within_reach()};
 }
@@ -87,7 +87,7 @@ class TurningHip {
   TurningHip(const BallSocketPair& meshes, const std::optional<Side>& side)
       : side_(side), dial_(clock_face(meshes.socket)), limits_(meshes) {}
 
-  // Is the motion known without a side?
+  // Is the motion known even if the side is not?
   bool knows(const NamedMotion& motion) const {
     return side_ || motion_name(motion.growing).angle == &Motion::flexion;
   }
@@ -112,7 +112,7 @@ class TurningHip {
   TurnLimits limits_;
 };
 
-// The socket, whose vertices are scanned against the faces of the ball.
+// A socket whose vertices are scanned against the faces of the ball.
 class ZoneScan {
  public:
   ZoneScan(const BallSocketPair& meshes, double threshold)
@@ -124,7 +124,7 @@ class ZoneScan {
         found_(area_.size()),
         gap_(area_.size()) {}
 
-  // The largest zone of a pose.
+  // The largest zone in a pose.
   std::optional<ClockZone> largest(const ClockFace& dial, const Pose& pose) {
     scan_gaps(cells_, vertices_, pose, Surface::socket, found_);
     std::copy(found_.begin(), found_.end(), gap_.begin());
@@ -213,8 +213,7 @@ std::vector<Cell> shape_cells(const BallSocketPair& meshes, const std::optional<
       const FemurMeasures femur = measure_femur(meshes.ball, *side);
       add_femur(femur, cells);
       add_socket(measure_acetabulum(meshes.socket, femur.head, *side), femur.head.radius, cells);
-    } catch (
-        const std::invalid_argument&) {  // a scan without a neck, a socket without a rim: empty from here
+    } catch (const std::invalid_argument&) {  // without a neck or a rim the cells from here are empty
     }
   }
   cells.resize(all);

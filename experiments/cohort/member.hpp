@@ -13,23 +13,23 @@
 
 namespace impinge::lab {
 
-// One hip, to be asked.
+// A hip of the study.
 struct Member {
   BallSocketPair meshes;               // joint frame, mm, the centre of the head as origin
-  std::optional<Side> side;            // without one flexion and extension alone are known
-  std::vector<Cell> description;       // by description_columns()
-  std::optional<BallSocketPair> fine;  // the same of more faces, where a second look is due
+  std::optional<Side> side;            // without it only flexion and extension are known
+  std::vector<Cell> description;       // cells for description_columns()
+  std::optional<BallSocketPair> fine;  // finer meshes, if a second look is due
   bool volume = false;                 // is its motion volume asked for?
 };
 
-// Makes each hip when it is asked for; reads a folder of joints once.
+// Makes each hip when it is asked for; reads a folder of joints only once.
 class Members {
  public:
-  // std::runtime_error, one line, for a folder that holds no joints.
+  // Throws std::runtime_error, one line, for a folder without joints.
   explicit Members(const Study& study);
 
-  std::size_t size() const;                         // hips of the study
-  std::vector<Column> description_columns() const;  // what a row begins with
+  std::size_t size() const;                         // number of hips in the study
+  std::vector<Column> description_columns() const;  // the first columns of a row
   Member member(std::size_t j) const;               // hip j, from 0
 
  private:
@@ -45,20 +45,20 @@ class Members {
   std::vector<Named> joints_;
 };
 
-// Hip j of a study follows from the study and j alone: draws are not taken one after another but looked up,
-// by what they are for.
+// Hip j depends only on the study and on j: its random numbers are not drawn in sequence but computed from
+// what each is for.
 
-// A number in (0, 1), uniform, one of 2^52 equally spaced ones: 13 hexadecimal digits of the SHA-256 of seed,
-// tag, hip and attempt, as text.
+// A uniform number in (0, 1), one of 2^52 equally spaced ones, from 13 hexadecimal digits of the SHA-256 of
+// seed, tag, hip and attempt as text.
 double uniform_draw(std::uint64_t seed, const std::string& tag, std::size_t hip, std::size_t attempt);
 
 // A hip as it was drawn.
 struct DrawnHip {
-  HipParameters parameters;  // that make a hip
-  std::size_t redrawn = 0;  // draws before that make none (hip/hip_checks.hpp), as a cam that touches at rest
+  HipParameters parameters;  // parameters that make a hip
+  std::size_t redrawn = 0;   // earlier draws that make none (hip/hip_checks.hpp): a cam may touch at rest
 };
 
-// Hip j, from 0. std::runtime_error, one line, if a hundred draws make none.
+// Hip j, from 0. Throws std::runtime_error, one line, if a hundred draws make no hip.
 DrawnHip draw_hip(const Study& study, std::size_t j);
 
 }  // namespace impinge::lab

@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr double kSecondsBetweenWrites = 5.0;  // what a killed run loses
+constexpr double kSecondsBetweenWrites = 5.0;  // work that a killed run loses at most
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -43,7 +43,7 @@ void write_shard(const fs::path& file, const Study& study, const ShardHips& hips
   write_bytes(file, head.dump() + "\n" + found.csv);
 }
 
-// Of this study, or an empty folder that becomes its.
+// Takes a folder that is empty or belongs to this study.
 void claim_folder(const fs::path& folder, const Study& study) {
   const fs::path file = folder / "study.json";
   const std::string text = study.text.dump(2) + "\n";
@@ -60,9 +60,9 @@ void claim_folder(const fs::path& folder, const Study& study) {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr std::size_t kNamed = 10;  // shards in one line
+constexpr std::size_t kNamed = 10;  // shards named in one line
 
-// From "i-of-K.rows"; none for other files.
+// Reads "i-of-K.rows"; none for other files.
 std::optional<ShardName> shard_named(const fs::path& file) {
   if (file.extension() != ".rows") return std::nullopt;
   std::string text = file.stem().string();
@@ -75,7 +75,7 @@ std::optional<ShardName> shard_named(const fs::path& file) {
   }
 }
 
-// Into how many shards the study of this folder was cut.
+// The number of shards into which the study of a folder is cut.
 std::size_t shards_in(const fs::path& folder) {
   std::optional<std::size_t> count;
   if (fs::is_directory(folder / "shards")) {
@@ -95,7 +95,7 @@ std::size_t shards_in(const fs::path& folder) {
                            folder.string());
 }
 
-// The shards that stop a merge, and how to make them.
+// The shards that prevent a merge, and how to make them.
 struct Faults {
   std::vector<std::string> numbers;
   std::string first;  // what is wrong with the first
@@ -163,7 +163,7 @@ ShardName parse_shard(const std::string& text) {
 
 ShardHips hips_of(const ShardName& shard, std::size_t hips) {
   const std::size_t each = hips / shard.of;
-  const std::size_t more = hips % shard.of;  // so many shards have one more
+  const std::size_t more = hips % shard.of;  // this many shards have one hip more
   const auto before = [&](std::size_t i) { return i * each + std::min(i, more); };
   return {before(shard.i - 1), before(shard.i)};
 }

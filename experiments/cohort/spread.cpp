@@ -17,8 +17,8 @@ constexpr std::array kShapes{std::pair{"normal", Shape::normal},
                              std::pair{"censored_normal", Shape::censored_normal},
                              std::pair{"lognormal", Shape::lognormal}, std::pair{"uniform", Shape::uniform}};
 
-// z of the same share of the part of a standard normal distribution between two of its points. From the end
-// that is nearer, so that no digits are lost in a tail.
+// The z at the same share of the part of a standard normal distribution between two of its points. Works from
+// the nearer end, so that no digits are lost in a tail.
 double cut(double z, double from, double to) {
   if (from + to > 0.0) return -cut(-z, -to, -from);
   const double below = gsl_cdf_ugaussian_P(from);
@@ -26,7 +26,7 @@ double cut(double z, double from, double to) {
   return std::clamp(gsl_cdf_ugaussian_Pinv(share), from, to);
 }
 
-constexpr double kLeastPivot = 1e-6;  // below, two parameters are one
+constexpr double kLeastPivot = 1e-6;  // below, one parameter is determined by others
 
 Eigen::Index place_of(std::span<const Spread> spreads, const std::string& name) {
   for (std::size_t k = 0; k < spreads.size(); ++k) {

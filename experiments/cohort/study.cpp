@@ -23,7 +23,7 @@ using nlohmann::json;
 
 constexpr double kMostHips = 1e9;
 constexpr double kMostFaces = 1e6;
-constexpr double kLargestSeed = 9007199254740992.0;  // 2^53: whole numbers that every reader of JSON keeps
+constexpr double kLargestSeed = 9007199254740992.0;  // 2^53: JSON readers keep whole numbers up to it
 
 std::string told(double value) { return Cell(value).text(); }
 
@@ -71,7 +71,7 @@ const HipParameter& parameter_named(const std::string& name) {
     if (one.name == name) return one;
   }
   HipParameters ignored;
-  set_hip_parameter(ignored, name + "=0");  // says which there are
+  set_hip_parameter(ignored, name + "=0");  // throws, and lists the existing names
   throw std::invalid_argument(name + " is no parameter that spreads");
 }
 
@@ -193,7 +193,7 @@ Study study_of(const json& text, const std::optional<std::size_t>& hips) {
   } else {
     read_drawn(node, study, hips);
   }
-  json lasting = study.text;  // hip j is the same, however many there are
+  json lasting = study.text;  // hip j does not depend on the number of hips
   lasting.erase("hips");
   study.digest = sha256_hex(lasting.dump());
   return study;
@@ -206,7 +206,7 @@ Study read_study(const std::filesystem::path& file, std::optional<std::size_t> h
     return study_of(json::parse(read_bytes(file), nullptr, /*allow_exceptions=*/false), hips);
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(one_line("study " + file.string() + ": " + error.what()));
-  } catch (const json::exception& error) {  // text that is no UTF-8
+  } catch (const json::exception& error) {  // text that is not UTF-8
     throw std::runtime_error(one_line("study " + file.string() + ": " + error.what()));
   }
 }

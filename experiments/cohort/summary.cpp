@@ -22,9 +22,9 @@ using nlohmann::json;
 
 constexpr std::array kShares{0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 0.975, 0.99};
 constexpr double kTail = 0.025;      // beyond each end of an interval of 95 %
-constexpr double kMeshShare = 0.95;  // of the checked hips, whose change of mesh widens an interval
+constexpr double kMeshShare = 0.95;  // of the checked hips: their change with the mesh widens an interval
 
-// The cells of the rows, column by column: numbers, NaN for empty cells and words; and words.
+// The cells of a column: the numbers, NaN for empty cells and words; and the words.
 struct ColumnValues {
   std::vector<double> numbers;
   std::map<std::string, std::size_t> words;
@@ -52,7 +52,7 @@ std::vector<ColumnValues> values_of(std::size_t columns, std::string_view csv) {
   return values;
 }
 
-// By the names of the columns.
+// The rows, by the names of the columns.
 class Cohort {
  public:
   Cohort(const std::vector<Column>& columns, std::string_view csv) : values_(values_of(columns.size(), csv)) {
@@ -77,7 +77,7 @@ std::vector<double> sorted_numbers(const ColumnValues& column) {
   return x;
 }
 
-// What the finer mesh changes, largest last.
+// Changes by the finer mesh, in ascending order.
 std::vector<double> mesh_changes(const Cohort& cohort, const std::string& name) {
   const ColumnValues* fine = cohort.column(kFine + name);
   if (fine == nullptr) return {};
@@ -92,7 +92,7 @@ json end_of(const std::vector<double>& sorted, std::size_t rank) {
   return rank < 1 || rank > sorted.size() ? json(nullptr) : json(sorted[rank - 1]);
 }
 
-// The lower ends and the upper ends of what each value may be.
+// The lower and the upper end for each value.
 struct InputEnds {
   std::vector<double> low;
   std::vector<double> high;
@@ -141,7 +141,7 @@ json quantity_of(const Cohort& cohort, const std::string& name, const std::vecto
   return quantity;
 }
 
-// A circle has no quantiles: how many in each hour.
+// Number of hips in each hour; a circle has no quantiles.
 json hours_of(const std::vector<double>& sorted) {
   std::array<std::size_t, 12> count{};
   for (const double x : sorted) ++count.at(static_cast<std::size_t>(x) % 12);
@@ -157,8 +157,8 @@ bool is_on_dial(const std::string& name) {
 RankInterval rank_interval(std::size_t n, double p) {
   const auto draws = static_cast<unsigned>(n);
   RankInterval ranks{0, n + 1};
-  // X_(l) is above the quantile if fewer than l draws are below it, X_(u) below if u or more are. Both grow,
-  // or fall, with the rank.
+  // X_(l) is above the quantile if fewer than l draws are below it, X_(u) is below it if u or more are. Both
+  // probabilities are monotone in the rank.
   const auto below = [&](std::size_t k) { return gsl_cdf_binomial_P(static_cast<unsigned>(k), p, draws); };
   std::size_t from = 0;
   std::size_t to = n + 1;

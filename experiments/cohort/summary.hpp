@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the rows of a cohort say together.
+// Summarises the rows of a cohort.
 #pragma once
 
 #include <string_view>
@@ -12,25 +12,23 @@
 
 namespace impinge::lab {
 
-// title, study, digest, seed, hips, columns, counts (of each word of M_state, of each hour of M_clock), and
-// quantities: for each column of numbers
+// Has title, study, digest, seed, hips, columns, counts (of each word of M_state, of each hour of M_clock),
+// and quantities: for each column of numbers
 //   n, mean, sd
-//   mesh   of the hips that were looked at twice: checked, and the 95th percentile and the largest of what
-//   the
-//          finer mesh changes
-//   quantiles  p, value (type 7 of Hyndman and Fan), and two intervals; null for an end that is not known:
-//     sampling        of the population's quantile, at least 95 %, whatever the distribution: order
-//     statistics
-//                     whose ranks follow from the binomial distribution (David and Nagaraja, Order
+//   mesh       for the hips that got a second look: their number, and the 95th percentile and the largest
+//              change by the finer mesh
+//   quantiles  p, value (type 7 of Hyndman and Fan), and two intervals; null for an unknown end:
+//     sampling        holds the population's quantile with at least 95 %, whatever the distribution: order
+//                     statistics with ranks from the binomial distribution (David and Nagaraja, Order
 //                     Statistics)
-//     mesh_and_centre of these hips' quantile: the quantiles of M_low_deg and M_high_deg, proven for every
-//                     centre within half a millimetre, widened by the 95th percentile of `mesh`, which is
-//                     measured
-// csv: the rows, without a head. The same bytes for the same rows.
+//     mesh_and_centre holds the quantile of these hips: from M_low_deg and M_high_deg, which are proven for
+//                     every centre within half a millimetre, widened by the 95th percentile of `mesh`, which
+//                     is measured
+// `csv` has the rows without a head. The same rows give the same bytes.
 nlohmann::json summary_of(const Study& study, const std::vector<Column>& columns, std::string_view csv);
 
-// Ranks, from 1, of the order statistics of n draws that hold the quantile p of their distribution between
-// them with at least 95 %; 0 and n + 1 where no draw bounds it.
+// Ranks, from 1, of two order statistics of n draws that hold the quantile p of their distribution between
+// them with at least 95 %; 0 or n + 1 where no draw bounds it.
 struct RankInterval {
   std::size_t low = 0;
   std::size_t high = 0;

@@ -44,7 +44,7 @@ void require_on_conchoid(const ConchoidShape& shape, double phi) {
 
 double conchoid_radius(const ConchoidShape& shape, double phi) {
   require_on_conchoid(shape, phi);
-  // a + b cos phi without cancellation where both are nearly the same
+  // a + b cos phi, without cancellation where both terms are nearly the same
   return (shape.a - shape.b) + 2.0 * shape.b * square(std::cos(0.5 * phi));
 }
 
@@ -92,7 +92,7 @@ double polar_angle_at_cap_area(const ConchoidShape& shape, double area) {
 
 double conchoid_incidence(const ConchoidShape& shape, double phi) {
   const double radius = conchoid_radius(shape, phi);
-  if (shape.a == shape.b) return 0.5 * phi;  // tan(psi) = sin(phi) / (1 + cos(phi)), the cusp as its limit
+  if (shape.a == shape.b) return 0.5 * phi;  // tan(psi) = sin(phi) / (1 + cos(phi)); its limit at the cusp
   return std::atan2(shape.b * std::sin(phi), radius);
 }
 

@@ -34,13 +34,13 @@ void require_inside(const ConchoidShape& shape, double height) {
   }
 }
 
-constexpr int kResidualSteps = 9000;  // over the cap, to find its extreme residuals
+constexpr int kResidualSteps = 9000;  // steps over the cap when its extreme residuals are sought
 
 double distance(const ConchoidShape& shape, double height, double phi) {
   return std::hypot(conchoid_width(shape, phi), conchoid_height(shape, phi) - height);
 }
 
-// Means over the curve and over the surface from the apex to end.
+// Means of f over the curve and over the surface, from the apex to `end`.
 double curve_mean(const ConchoidShape& shape, double end, const std::function<double(double)>& f) {
   return integrate([&](double phi) { return f(phi) * conchoid_speed(shape, phi); }, 0.0, end) /
          meridian_length(shape, end);
@@ -64,7 +64,7 @@ double mean_distance(const ConchoidShape& shape, double height) {
   return surface_mean(shape, kConchoidRim, [&](double phi) { return distance(shape, height, phi); });
 }
 
-// Height at which the whole curve is lowest: where a + 2 b cos(phi) = 0, or at phi = pi.
+// Height of the lowest point of the whole curve: where a + 2 b cos(phi) = 0, or at phi = pi.
 double lowest_point(const ConchoidShape& shape) {
   return shape.a < 2.0 * shape.b ? -shape.a * shape.a / (4.0 * shape.b) : shape.b - shape.a;
 }
@@ -164,8 +164,8 @@ std::vector<SamplingOrigin> sampling_origins(const ConchoidShape& shape) {
   return origins;
 }
 
-// The radius that fits best about a centre is the mean distance d from it. The mean of (d - mean d)^2 is then
-// stationary in the height where mean(d d') = mean(d) mean(d'); d d' is height - z.
+// About a given centre the best radius is the mean distance d. The mean of (d - mean d)^2 is stationary in
+// the height where mean(d d') = mean(d) mean(d'); d d' is height - z.
 AxialSphere fit_axial_sphere(const ConchoidShape& shape) {
   const double centroid = surface_centroid(shape, kConchoidRim);
   const auto slope = [&](double height) {

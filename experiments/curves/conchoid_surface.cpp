@@ -18,7 +18,7 @@ Vec3 surface_point(const ConchoidShape& shape, double phi, double theta) {
   return conchoid_radius(shape, phi) * to_direction({phi, theta});
 }
 
-// Points in one place share what the first of them was given.
+// Points in one place share the area that was given to the first of them.
 void share(std::span<const Vec3> points, std::vector<double>& areas) {
   std::map<std::tuple<double, double, double>, std::vector<std::size_t>> places;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -60,7 +60,7 @@ std::vector<Vec3> conchoid_spiral(const ConchoidShape& shape, std::size_t count)
   return points;
 }
 
-// The pieces: rings equally far apart along the meridian, each cut into pieces about as long as it is wide.
+// The pieces are rings at equal distances along the meridian, cut about as long as they are wide.
 std::vector<double> nearest_areas(const ConchoidShape& shape, std::span<const Vec3> points,
                                   std::size_t pieces_per_point) {
   if (points.empty() || pieces_per_point == 0) {
@@ -141,7 +141,7 @@ NearestPoint::NearestPoint(std::span<const Vec3> points, double side) : points_(
   for (std::size_t i = 0; i < points.size(); ++i) order_[next[number_of(points[i])]++] = i;
 }
 
-// Beyond all cubes within `reach` of its own, every point is at least reach * side away.
+// Every point beyond all cubes within `reach` of x's own is at least reach * side away.
 std::size_t NearestPoint::operator()(const Vec3& x) const {
   const Cube own = cube_of(x);
   const int farthest = std::max({last_.x, last_.y, last_.z});
@@ -153,7 +153,7 @@ std::size_t NearestPoint::operator()(const Vec3& x) const {
   return best.point;
 }
 
-// The cubes `reach` away from x's own in one direction at least: whole rows on four sides, else two ends.
+// Searches cubes that are `reach` from x's own in some direction: whole rows on four sides, else two ends.
 void NearestPoint::search_shell(const Cube& own, int reach, const Vec3& x, Best& best) const {
   for (int k = std::max(own.z - reach, 0); k <= std::min(own.z + reach, last_.z); ++k) {
     for (int j = std::max(own.y - reach, 0); j <= std::min(own.y + reach, last_.y); ++j) {

@@ -25,8 +25,8 @@ constexpr double kNarrowest = 4.0 * std::numeric_limits<double>::epsilon();
 constexpr std::size_t kMostIntervals = 2000;
 constexpr double kRelative = 1e-12;
 
-// Switches GSL's own handler, which ends the program, off: once for the whole program and for good, as
-// setting it back would race with other threads. Functions with the suffix _e call it too.
+// Switches off GSL's own error handler, which would end the program. It does so once for the whole program
+// and for good, since restoring it would race with other threads. Even functions with the suffix _e call it.
 void keep_gsl_quiet() {
   static const auto previous = gsl_set_error_handler_off();
   static_cast<void>(previous);
@@ -37,7 +37,7 @@ void require_gsl(int status, const std::string& what) {
   if (status != GSL_SUCCESS) throw std::runtime_error(what + ": " + gsl_strerror(status));
 }
 
-// A C++ function as a gsl_function. An exception must not pass through C code: it waits here.
+// A C++ function as a gsl_function. An exception must not pass through C code, so it is kept here.
 class GslCallback {
  public:
   // The function must live as long as this object.
@@ -45,7 +45,7 @@ class GslCallback {
   GslCallback(const GslCallback&) = delete;  // GSL keeps the address
   GslCallback& operator=(const GslCallback&) = delete;
 
-  gsl_function* get() { return &wrapped_; }  // to hand to GSL, as long as this object lives
+  gsl_function* get() { return &wrapped_; }  // for GSL, while this object lives
 
   // Throws what the function threw, else what GSL's status says.
   void require(int status, const char* what) const {
@@ -138,7 +138,7 @@ double integrate(const std::function<double(double)>& function, double low, doub
   GslCallback call(function);
   double value = 0.0;
   double error = 0.0;
-  double size = 0.0;  // of |function|, so that an integral that vanishes has a tolerance too
+  double size = 0.0;  // integral of |function|, so that an integral that vanishes has a tolerance too
   double deviation = 0.0;
   gsl_integration_qk61(call.get(), low, high, &value, &error, &size, &deviation);
   const int status = gsl_integration_qag(call.get(), low, high, kRelative * size, kRelative, kMostIntervals,

@@ -33,7 +33,7 @@ double clamped(double length, double total) {
 // L(phi) in the northern half.
 double half_length(double turns, double phi) { return arc_of_growing_speed(phi, 4.0 * turns * turns); }
 
-constexpr double kSame = 1e-6;  // relative; rounding of two mismatches of one size
+constexpr double kSame = 1e-6;  // relative difference of two mismatches that rounding may make
 
 double place(const HelixEntries& entries, std::size_t i) {
   const double end = last_index(entries);
@@ -41,13 +41,13 @@ double place(const HelixEntries& entries, std::size_t i) {
   return static_cast<double>(i) / end;
 }
 
-// T at phi = pi in units of what the look-up takes for the length of the curve.
+// T at phi = pi, in the unit that the look-up takes for the length of the curve.
 double assumed_length(const HelixEntries& entries, HelixSpacing spacing) {
   return spacing == HelixSpacing::true_arc ? helix_total_length(entries.turns)
                                            : total_travelled_distance(entries.turns);
 }
 
-// Two entries and the share of the second.
+// Two entries, and the weight of the second.
 struct Between {
   std::size_t entry;
   double share;

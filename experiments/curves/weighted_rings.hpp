@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The thesis' weighted sampling (Section 5.1.2, Eq. 16) as a sampling scheme: the grid of angles, whose rings
-// from the apex phi = 0 to the rim at 90 degrees stand where they cut the meridian of the conchoid into equal
-// lengths,
+// The thesis' weighted sampling (Section 5.1.2, Eq. 16) as a sampling scheme. It is a grid of angles whose
+// rings from the apex phi = 0 to the rim at 90 degrees cut the meridian of the conchoid into equal lengths:
 //   phi_i = 2 asin(i sin(45 degrees) / n), i = 0 .. n,
-// Eq. 16 without its rounded constants. The other half of the sphere, which the thesis does not sample,
-// mirrors them. Of precision p there are n = 90 / p segments and 360 / p columns, as many entries as the grid
-// has. A look-up is linear in phi between two rings, and in theta.
+// which is Eq. 16 without its rounded constants. The other half of the sphere, which the thesis does not
+// sample, mirrors them. Precision p gives n = 90 / p segments and 360 / p columns, as many entries as the
+// grid has. A look-up is linear in theta, and in phi between two rings.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +26,7 @@ class WeightedRings {
   static constexpr std::string_view citation = "thesis, Section 5.1.2, Eq. 16";
 
   WeightedRings() = default;
-  // At most so many degrees apart; std::invalid_argument as equator_division().
+  // Entries at most so many degrees apart. Throws std::invalid_argument as equator_division().
   static WeightedRings with_precision(double degrees) {
     return WeightedRings(equator_division(degrees, 90.0, label));
   }
@@ -68,8 +67,8 @@ class WeightedRings {
   // Cells lie between parallels and meridians.
   bool meets_cells_once(const Vec3& a, const Vec3& b) const { return latitude_is_monotone(a, b); }
 
-  // Rings are farthest apart at the rim, columns nowhere farther than p: half of a cell's diagonal there, and
-  // all.
+  // Half the diagonal of a cell at the rim, and the whole diagonal. Rings are farthest apart there, and
+  // columns nowhere farther than p.
   double covering_radius() const { return 0.5 * stencil_radius(); }
   double stencil_radius() const {
     return std::hypot(ring(n_) - ring(n_ - 1), 0.5 * kPi / static_cast<double>(n_));

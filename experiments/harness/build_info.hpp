@@ -13,7 +13,7 @@ struct BuildInfo {
   std::string build_type;                        // Release, RelWithDebInfo ...
   std::string source_folder;                     // where git is asked for the commit
   std::string python;                            // the interpreter that has the packages
-  std::map<std::string, std::string> libraries;  // name to version, of those found by the build
+  std::map<std::string, std::string> libraries;  // name to version, for libraries that the build found
 };
 
 const BuildInfo& build_info();  // of this program

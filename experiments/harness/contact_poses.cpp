@@ -19,7 +19,7 @@ PosePath random_path(const SurfaceOverlay& joint, const ContactOptions& options,
   PosePath path;
   path.axis = uniform_direction(random);
   path.to_turn = options.turn * uniform(random);
-  if (joint.impinged(path.at(1.0)) && !joint.impinged(path.at(0.0))) return path;  // the turn is the way
+  if (joint.impinged(path.at(1.0)) && !joint.impinged(path.at(0.0))) return path;  // the turn is the path
   path.from_turn = path.to_turn;
   path.shift = options.shift * uniform_direction(random);
   return path;

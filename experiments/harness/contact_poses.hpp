@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Poses in which it is hard to say whether a joint impinges, beside easy ones.
+// Poses in which it is hard to say whether a joint is impinged, and easy ones.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace impinge::lab {
 
-// A path from one pose to another: at share s in [0, 1] the ball is turned about the axis by from_turn +
-// s (to_turn - from_turn) and moved by s * shift.
+// A path from one pose to another. At share s in [0, 1] the ball is turned about the axis by from_turn + s
+// (to_turn - from_turn) and moved by s * shift.
 struct PosePath {
   Vec3 axis = Vec3::UnitZ();  // unit vector through the centre
   double from_turn = 0.0;     // radians, at share 0
@@ -23,16 +23,16 @@ struct PosePath {
   Pose at(double share) const;  // the pose at that share
 };
 
-// Distance from the centre, mm, at which turns count as lengths.
+// Distance from the centre, mm, at which turns are converted to lengths.
 inline constexpr double kArm = 25.0;
-double path_length(const PosePath& path);  // mm: the shift, and the arc of a point kArm away
+double path_length(const PosePath& path);  // mm: the shift plus the arc of a point kArm away
 
 // The first share of the path at which the pose is impinged, to within 2^-24, by bisection; none if the end
 // is free or the beginning impinged. If `impinged` changes more than once on the path, one of the changes is
 // found.
 std::optional<double> first_contact(const PosePath& path, const std::function<bool(const Pose&)>& impinged);
 
-// How many poses, and how far from the pose as given.
+// The number of poses, and how far they are from the given pose.
 struct ContactOptions {
   std::size_t count = 1000;  // of poses
   double turn = 1.0;         // radians: the largest turn, about any axis
@@ -40,17 +40,17 @@ struct ContactOptions {
   std::uint64_t seed = 0;    // of paths and places on them
 };
 
-// One random path for every kPosesPerPath poses: turned by up to `turn` and then moved in any direction; if
-// the turned ball impinges already, the path is the turn. Of four poses one lies anywhere on its path and
+// Poses per random path. A path turns the ball by up to `turn` and then moves it in any direction; if the
+// turned ball is already impinged, the turn is the path. Of four poses one lies anywhere on its path, and
 // three are close to its first contact, on either side, by 10^-5 to 10^-0.5 mm of path_length().
 inline constexpr std::size_t kPosesPerPath = 8;
-// A pose, and the path that it is on.
+// A pose, and its path.
 struct ContactPose {
-  PosePath path;                  // that it was chosen on
+  PosePath path;                  // the pose is on it
   std::optional<double> contact;  // share of the path at first contact
   Pose pose;                      // of the ball in the socket
 };
-// Those poses, in the order of their paths.
+// These poses, in the order of their paths.
 std::vector<ContactPose> contact_poses(const SurfaceOverlay& joint, const ContactOptions& options);
 
 // Is some vertex of either surface impinged in the pose? Exact.

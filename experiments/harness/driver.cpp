@@ -36,8 +36,7 @@ void declare(CLI::App& app, Options& options, const DriverInfo& info) {
   }
 }
 
-// The call without the folder of the program. Where the joints lie on this machine is nobody's business: an
-// absolute folder is called BONES.
+// The command line without the program's folder. An absolute folder of joints is private: it becomes BONES.
 std::string command_text(int argc, const char* const* argv, const std::string& name) {
   std::string text = name;
   std::string_view before;

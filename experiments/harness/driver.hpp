@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all numbered drivers share: options, checks before the work, one clear line on failure.
+// What all numbered drivers share: options, checks before the work, and one clear line on failure.
 //
 //   NAME [--out DIR] [--profile quick|full] [--seed N] [--bones DIR]
 //
-// Exit code 0 on success, 1 when the work fails, 2 for a wrong option. An error is one line on stderr,
+// The exit code is 0 on success, 1 when the work fails, 2 for a wrong option. An error is one line on stderr:
 // "NAME: error: what is wrong: what to do".
 #pragma once
 
@@ -19,26 +19,26 @@
 
 namespace impinge::lab {
 
-// How far a run is and how long it will still take: one line every few seconds.
+// Reports how far a run is and how long it will still take, in one line every few seconds.
 
 // Text such as "2 min 05 s" for a duration in seconds.
 std::string duration_text(double seconds);
 
 class Progress {
  public:
-  // Prints to the stream, or nothing at all for a null stream. The stream must outlive this object.
+  // Prints to the stream, or nothing for a null stream. The stream must outlive this object.
   Progress(std::string name, std::ostream* out) : name_(std::move(name)), out_(out) {}
 
   // Prints a line at once.
   void say(std::string_view text);
 
-  // Begins a stretch of work that is expected to take so many seconds.
+  // Begins work that is expected to take so many seconds.
   void begin(double expected_s);
 
-  // A piece of work that was expected to take so many seconds has been done.
+  // Reports that a part of it, expected to take so many seconds, is done.
   void advance(double expected_s, std::string_view what);
 
-  // Seconds left: the work not done yet, at the pace of the work done so far.
+  // Seconds left: the remaining work, at the pace of the work done so far.
   double seconds_left() const;
 
  private:
@@ -46,31 +46,31 @@ class Progress {
 
   std::string name_;
   std::ostream* out_;
-  double expected_ = 0.0;  // seconds, whole stretch
-  double done_ = 0.0;      // seconds of that, as expected
+  double expected_ = 0.0;  // seconds, for all of it
+  double done_ = 0.0;      // seconds, for the part that is done
   Clock::time_point start_ = Clock::now();
   Clock::time_point printed_ = Clock::now();
 };
 
-// What a driver is, for its options and messages.
+// A driver's texts and options.
 struct DriverInfo {
   std::string name;          // of the program
   std::string purpose;       // one sentence for --help
-  bool takes_bones = false;  // has it the option --bones?
+  bool takes_bones = false;  // does it have the option --bones?
 };
 
 // What run_driver() passes to the body of a driver.
 struct DriverRun {
   RunRecord record;                            // for the sidecars of the results
-  std::optional<std::filesystem::path> bones;  // folder with one folder a subject
-  Progress progress;                           // reports how far the work is
+  std::optional<std::filesystem::path> bones;  // folder with one folder per subject
+  Progress progress;                           // for progress reports
 
   bool quick() const { return record.profile == "quick"; }  // is it the quick profile?
   // Writes the result and says where.
   void write(const Result& result);
 };
 
-// Parses, checks that the output folder can be written, runs the body. The returned value is the exit code.
+// Parses the options, checks that the output folder can be written, and runs the body. Returns the exit code.
 int run_driver(int argc, const char* const* argv, const DriverInfo& info,
                const std::function<void(DriverRun&)>& body);
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many entries a helix has on its turn round the equator, counted along its directions.
-//
-// A turn is a stretch of 360 degrees of azimuth; several cross the equator. As the entries do not divide a
-// turn exactly, turns that begin elsewhere hold one entry more or less.
+// Counts the entries that a helix has on its turns round the equator, along its directions. A turn is a range
+// of 360 degrees of azimuth; several cross the equator. As the entries do not divide a turn exactly, turns
+// that begin elsewhere hold one entry more or less.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +13,14 @@
 
 namespace impinge::lab {
 
-// Fewest and most entries of the turns that cross the equator.
+// The fewest and most entries of turns that cross the equator.
 struct EquatorTurn {
   std::size_t least = 0;  // of the turn with the fewest
   std::size_t most = 0;   // of the turn with the most
 };
 
-// Entries whose azimuth, radians, is in [begin, begin + 2 pi); one that rounding has put just below an end is
-// counted as on it.
+// Entries whose azimuth, radians, is in [begin, begin + 2 pi). An entry that rounding has put just below an
+// end counts as on it.
 inline std::size_t entries_of_turn(const std::vector<double>& azimuths, double begin) {
   constexpr double kRounding = 1e-9;
   const auto first = std::ranges::lower_bound(azimuths, begin - kRounding);
@@ -29,8 +28,8 @@ inline std::size_t entries_of_turn(const std::vector<double>& azimuths, double b
   return static_cast<std::size_t>(last - first);
 }
 
-// For a scheme whose entries follow each other from the north pole to the south pole with growing azimuth,
-// less than a turn apart.
+// For a scheme whose entries follow each other from the north to the south pole with growing azimuth, less
+// than a turn apart.
 template <class Helix>
 EquatorTurn equator_turn(const Helix& scheme) {
   std::size_t north = 0;
@@ -47,7 +46,7 @@ EquatorTurn equator_turn(const Helix& scheme) {
     const double step = std::remainder(azimuth(i) - azimuth(i - 1), 2.0 * kPi);
     return step < 0.0 ? step + 2.0 * kPi : step;
   };
-  std::vector<double> azimuths{0.0};  // from that of entry `first`, over more than a turn either way
+  std::vector<double> azimuths{0.0};  // from entry `first`, more than a turn both ways
   for (std::size_t i = first; i > 0 && azimuths.back() > -5.0 * kPi; --i)
     azimuths.push_back(azimuths.back() - step_to(i));
   std::ranges::reverse(azimuths);
@@ -57,7 +56,7 @@ EquatorTurn equator_turn(const Helix& scheme) {
   const double above = scheme.direction(north).z();
   const double below = scheme.direction(first).z();
   const double equator = below / (above - below) * step_to(first);
-  std::vector<double> begins;  // of turns: where the number of entries may change
+  std::vector<double> begins;  // starts of turns at which the number of entries may change
   for (const double a : azimuths) begins.insert(begins.end(), {a, a - 2.0 * kPi});
   std::ranges::sort(begins);
   EquatorTurn turn{scheme.size(), 0};

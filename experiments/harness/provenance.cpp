@@ -67,7 +67,7 @@ void add_machine(json& record) {
   record["system"] = machine.system;
 }
 
-// True when the sidecar on the disk was written by this driver for these bytes.
+// Did this driver write the sidecar on the disk for these bytes?
 bool describes(const std::filesystem::path& path, const std::string& csv_digest) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored) || std::filesystem::is_empty(path, ignored))
@@ -91,7 +91,7 @@ std::optional<std::string> git(const std::filesystem::path& folder, const std::s
   return text;
 }
 
-// A note in the root of the clone, or a scene written there, changes no result.
+// Notes in the root of the clone, or scenes written there, do not count, as they change no result.
 std::optional<bool> has_changes(const std::filesystem::path& folder) {
   const auto changed = git(folder, "status --porcelain --untracked-files=no");
   const auto added =

@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kControlMark = "#control";
 
-// Throws std::runtime_error with the case in front of what is wrong.
+// Verifies all cases. Throws std::runtime_error that begins with the case.
 void verify_all(const std::vector<TimedCase>& cases, Progress& progress) {
   progress.say("verifying " + std::to_string(cases.size()) + " cases before any is timed");
   for (const TimedCase& work : cases) {
@@ -44,11 +44,11 @@ class SampleReporter : public benchmark::BenchmarkReporter {
       samples[run.run_name.function_name].push_back(run.GetAdjustedRealTime());
     }
   }
-  std::map<std::string, std::vector<double>> samples;  // milliseconds a run
+  std::map<std::string, std::vector<double>> samples;  // milliseconds per run
 };
 
-// Work of a round. The first exception is kept, and what is left of the run does nothing: the harness wants
-// the same number of iterations in every round, so they are counted off.
+// Runs a round. After an exception, which is kept, the rest of the run does nothing: the harness needs the
+// same number of iterations in every round, so they are only counted.
 void register_plan(const RoundPlan& plan, const std::string& name, std::exception_ptr& failure,
                    Progress& progress) {
   const auto round = [&plan, &failure, &progress](benchmark::State& state) {
@@ -79,7 +79,7 @@ void register_plan(const RoundPlan& plan, const std::string& name, std::exceptio
       ->Unit(benchmark::kMillisecond);
 }
 
-// Settles every option that the environment could change otherwise.
+// Sets every option that the environment could change.
 void initialise_harness() {
   std::array<std::string, 7> options{"impinge",
                                      "--benchmark_enable_random_interleaving=true",
@@ -104,14 +104,14 @@ Timing collect(const RoundPlan& plan, std::vector<double> samples) {
   return timing;
 }
 
-// The fastest, of those that repeat within a round where there are some.
+// The fastest case, if possible of those that repeat within a round.
 const RoundPlan& control_of(const std::vector<RoundPlan>& plans) {
   return *std::ranges::min_element(plans, {}, [](const RoundPlan& plan) {
     return std::pair(static_cast<bool>(plan.work->before), plan.round_s());
   });
 }
 
-// All rounds of all cases, in one random order.
+// Runs all rounds of all cases in one random order.
 TimingRun run_once(const std::vector<TimedCase>& cases, const TimingOptions& options, Progress& progress) {
   TimingRun result;
   result.options = options;
@@ -143,7 +143,7 @@ TimingRun run_once(const std::vector<TimedCase>& cases, const TimingOptions& opt
   return result;
 }
 
-// For a test that looks at everything but the times.
+// Limits the rounds, for tests of everything but the times.
 std::vector<TimedCase> with_rounds(std::vector<TimedCase> cases, int most) {
   for (TimedCase& work : cases) work.rounds = std::min(work.rounds, most);
   return cases;

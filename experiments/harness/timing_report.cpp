@@ -42,7 +42,7 @@ TimedCase with_enough_rounds(TimedCase work) {
   return work;
 }
 
-// Seconds that a repeat will take: the rounds of the case, and as many of its control.
+// Seconds that a repeat will take, with as many rounds for its control.
 double repeat_s(const Timing& timing, const TimedCase& work) {
   const double run_s = kSeconds * timing.summary.median * work.units;
   return 2.0 * work.rounds * static_cast<double>(timing.batch) * run_s;

@@ -60,7 +60,7 @@ VoxelImage empty_image(const TriangleMesh& body, const ScanGrid& grid) {
   return image;
 }
 
-// Adds the part of the line from x0 to x1 to the row of voxels it runs through.
+// Adds the part of a line from x0 to x1 to the voxels of its row.
 void fill(const VoxelImage& image, std::pair<double, double> part, float weight, float* row) {
   const double scale = 1.0 / image.spacing.x();
   const double from = (part.first - image.origin.x()) * scale + 0.5;  // in voxels
@@ -72,19 +72,19 @@ void fill(const VoxelImage& image, std::pair<double, double> part, float weight,
   }
 }
 
-// Twice the area of the triangle (line, a, b) in the plane of y and z. Which way round the ends are given
-// changes the sign and no digit, so that a line that meets an edge is on one side of it for both faces.
+// Twice the area of the triangle (line, a, b) in the plane of y and z. Exchanging the ends changes only its
+// sign, so a line that meets an edge is on one side of it for both faces.
 double side_of(double y, double z, const Vec3& a, const Vec3& b) {
   const bool swapped = std::pair(b.y(), b.z()) < std::pair(a.y(), a.z());
   const Vec3& from = swapped ? b : a;
   const Vec3& to = swapped ? a : b;
   const double area = (to.y() - from.y()) * (z - from.z()) - (to.z() - from.z()) * (y - from.y());
-  // A line on the edge counts as left of it; the face on the other side sees the opposite.
+  // A line on the edge counts as left of it; the face on the other side gets the opposite.
   const double decided = area != 0.0 ? area : 1.0;
   return swapped ? -decided : decided;
 }
 
-// First and last line of an axis between two coordinates; none where first > last.
+// First and last line of an axis between two coordinates; no line if first > last.
 std::pair<long, long> range(const ScanLines& lines, std::size_t axis, double low, double high) {
   const auto first =
       std::max(0L, static_cast<long>(std::ceil((low - lines.first[axis]) / lines.spacing[axis] - 1e-9)));
@@ -97,7 +97,7 @@ std::pair<long, long> range(const ScanLines& lines, std::size_t axis, double low
 void cross(const ScanLines& lines, const std::array<Vec3, 3>& t,
            std::vector<std::vector<LineCrossing>>& crossings) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
-  if (normal.x() == 0.0) return;  // along the lines: its neighbours are met instead
+  if (normal.x() == 0.0) return;  // parallel to the lines: they meet its neighbours instead
   const auto [low_y, high_y] = std::minmax({t[0].y(), t[1].y(), t[2].y()});
   const auto [low_z, high_z] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
   const auto [first_y, last_y] = range(lines, 0, low_y, high_y);
@@ -116,7 +116,7 @@ void cross(const ScanLines& lines, const std::array<Vec3, 3>& t,
   }
 }
 
-// Two lines or more along each side of a voxel.
+// At least two lines along each side of a voxel.
 ScanLines lines_of(const VoxelImage& image) {
   ScanLines lines;
   for (std::size_t a = 0; a < 2; ++a) {
@@ -129,8 +129,8 @@ ScanLines lines_of(const VoxelImage& image) {
   return lines;
 }
 
-// Crossings of every line, lines with y fastest, the crossings of a line in no order. A line that meets an
-// edge or a vertex is treated as if it passed just beside it.
+// The crossings of every line, lines with y fastest, the crossings of a line in no order. A line that meets
+// an edge or a vertex is treated as if it passed just beside it.
 std::vector<std::vector<LineCrossing>> cross_all(const ScanLines& lines, const TriangleMesh& body) {
   std::vector<std::vector<LineCrossing>> crossings(lines.count[0] * lines.count[1]);
   for (const Face& f : body.faces)

@@ -2,7 +2,7 @@
 // @can     contact
 // @links   gap_simd
 //
-// all_vertices: the gaps of all vertices of a joint by the kernels, of tables in 16 bits.
+// all_vertices: the gaps of all vertices of a joint, by the kernels on tables in 16 bits.
 
 #include <algorithm>
 #include <memory>
@@ -14,8 +14,8 @@
 namespace impinge::lab {
 namespace {
 
-// Along an edge of the cube, of the tables of both surfaces: errors of gaps stay below 7 um at 12,000
-// triangles, along every direction.
+// Cells along an edge of the cube, for the tables of both surfaces. On joints of 12,000 triangles the error
+// of a gap stays below 7 um in every direction.
 constexpr double kCellsOfAnEdge = 291.0;
 
 PackedTable<CubeGnomonic, std::uint16_t> filled(const TriangleMesh& mesh, Layer layer) {
@@ -23,7 +23,7 @@ PackedTable<CubeGnomonic, std::uint16_t> filled(const TriangleMesh& mesh, Layer 
       fill_exact(mesh, CubeGnomonic::with_precision(90.0 / kCellsOfAnEdge), layer));
 }
 
-// A joint as the kernels read it, and the gaps of its last pose.
+// A joint in the form that the kernels read, and the gaps of its last pose.
 class ScannedJoint {
  public:
   explicit ScannedJoint(const BallSocketPair& pair)

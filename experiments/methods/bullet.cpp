@@ -2,12 +2,12 @@
 // @can     contact turns
 // @links   gap peer::bullet
 //
-// Method bullet_collide: trees of boxes along the axes on both surfaces, Bullet's GImpact, without a margin.
-// It finds all contacts of the pair, with no way to stop at the first.
-// In float, so that a verdict may differ from the exact one next to contact.
+// Method bullet_collide: trees of boxes along the axes on both surfaces (Bullet's GImpact), without a margin.
+// It finds all contacts of a pair and cannot stop at the first. It works in float, so a verdict next to
+// contact may differ from the exact one.
 //
-// Turns: bullet_convex is its conservative advancement of two convex hulls, here of up to three points each,
-// in ten parts of the turn; bullet_collide in steps.
+// For turns: bullet_convex is Bullet's conservative advancement of two convex hulls, here of up to three
+// points each, in ten parts of the turn; bullet_collide tests poses in steps.
 
 #include <memory>
 
@@ -46,7 +46,7 @@ std::vector<int> indices_of(const TriangleMesh& mesh) {
   return indices;
 }
 
-// Bullet reads the vertices and indices where they are.
+// Bullet reads the vertices and indices in place.
 struct Body {
   explicit Body(const TriangleMesh& mesh) : vertices(vertices_of(mesh)), indices(indices_of(mesh)) {
     shape.setMargin(0.0F);
@@ -66,7 +66,7 @@ struct Body {
   btCollisionObjectWrapper placed{nullptr, &shape, &object, object.getWorldTransform(), -1, -1};
 };
 
-// Says whether there is any contact, and keeps none.
+// Notes whether there is a contact, and stores none.
 class AnyContact : public btManifoldResult {
  public:
   using btManifoldResult::btManifoldResult;

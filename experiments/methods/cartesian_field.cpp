@@ -46,7 +46,7 @@ GridField make_signed_field(const TriangleMesh& socket, const DistanceGridShape&
             closest.answer(nodes, out);
             first_hit.answer(directions, radius);
             for (std::size_t i = 0; i < nodes.size(); ++i) {
-              if (nodes[i].norm() > radius[i]) out[i] = -out[i];  // false where the socket is not met
+              if (nodes[i].norm() > radius[i]) out[i] = -out[i];  // not true where the socket is not met
             }
           }};
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Method cartesian_field: a signed distance field of the socket on a Cartesian grid, read at every vertex of
-// the ball (thesis, Section 3.6.2). The distance is negative at a node beyond the socket, as seen from the
-// centre. As an open surface has no inside, the values jump at the rim by twice the distance, and within a
-// cell of that jump the answer means nothing.
+// the ball (thesis, Section 3.6.2). A node beyond the socket, as seen from the centre, has a negative
+// distance. An open surface has no inside, so the values jump at the rim by twice the distance; within a cell
+// of that jump an answer means nothing.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace impinge::lab {
 
-// Signed distances (mm, in float) at every node: by CGAL's closest points, signs by its first hit of a ray.
+// Signed distances (mm, in float) at every node, from CGAL's closest points, signs from first hits of rays.
 GridField make_signed_field(const TriangleMesh& socket, const DistanceGridShape& shape);
 
 class CartesianField {
@@ -26,12 +26,12 @@ class CartesianField {
     bool touching = false;
     for (std::size_t i = 0; i < ball_.size(); ++i) {
       distance_[i] = socket_.at(to_socket(pose, ball_[i]));
-      touching = touching || distance_[i] <= 0.0;  // NaN outside of the grid
+      touching = touching || distance_[i] <= 0.0;  // NaN outside the grid
     }
     return touching;
   }
 
-  // Of the ball's vertices in the last pose, mm.
+  // Distances of the ball's vertices in the last pose, mm.
   const std::vector<double>& distances() const { return distance_; }
   std::size_t bytes() const { return socket_.bytes(); }  // of the grid
 

@@ -44,8 +44,8 @@ struct SurfaceTree {
   double bytes = 0.0;
 };
 
-// How far along x a hit is: negative behind the centre. A segment is met where a ray lies in the plane of a
-// face: its end that the ray meets first.
+// Position of a hit along x, negative behind the centre. If a ray lies in the plane of a face it meets a
+// segment, and its first end counts.
 struct RadiusOfHit {
   using result_type = double;
   const Vec3& x;
@@ -60,7 +60,7 @@ struct RadiusOfHit {
   }
 };
 
-// Along x, from the centre outwards, or inwards from `beyond` the surface, mm.
+// First hit along x, outwards from the centre, or inwards from `beyond` the surface, mm.
 double first_radius(const TriangleTree& tree, const Vec3& x, double beyond) {
   const bool inwards = beyond > 0.0;
   const Vec3 from = inwards ? Vec3(beyond / x.norm() * x) : Vec3(Vec3::Zero());

@@ -16,8 +16,8 @@ ChartPoint chart_point(const Vec3& x) {
 }
 
 // The chart point of b, unrolled so that the edge from a (chart point `from`) runs as on the sphere. Azimuth
-// grows along it exactly if the north pole lies to its left; near half a turn the rounded step alone does not
-// know.
+// grows along it if and only if the north pole is to its left. Near half a turn the rounded step alone would
+// not tell.
 ChartPoint unrolled(const Vec3& a, const ChartPoint& from, const Vec3& b) {
   ChartPoint to = chart_point(b);
   double step = std::remainder(to.theta - from.theta, 2.0 * kPi);
@@ -89,7 +89,7 @@ std::vector<EntryCoverage> chart_coverage(const TriangleMesh& mesh, const Rsid& 
     EntryCoverage entry{.entry = i, .met_radius = kNoSurface, .drawn_radius = drawn.radii()[i]};
     entry.drawn = !std::isnan(entry.drawn_radius);
     const Vec3 u = scheme.direction(i);
-    // By place in the table: on a pole row each column has its own azimuth, though the direction has none.
+    // By index in the table: the columns of a pole row have different azimuths but the same direction.
     const std::size_t row = i / scheme.columns();
     const std::size_t column = i % scheme.columns();
     const Angles place{static_cast<double>(row) * scheme.spacing(),

@@ -12,37 +12,36 @@
 
 namespace impinge::lab {
 
-// theta and phi in radians; theta may lie outside [0, 2 pi) so that a drawn triangle is in one piece. radius
-// in mm.
+// Angles in radians; theta may be outside [0, 2 pi), so that a drawn triangle is in one piece. radius in mm.
 struct ChartPoint {
   double theta = 0.0;   // azimuth
   double phi = 0.0;     // polar angle
-  double radius = 0.0;  // of the face there
+  double radius = 0.0;  // of the face at these angles
 };
 
 using ChartTriangle = std::array<ChartPoint, 3>;  // its corners
 
-// The flat triangles that stand for a face: one if the face is clear of the poles. Otherwise it is cut into
+// The flat triangles that represent a face: one if the face is clear of the poles. Otherwise it is cut into
 // triangles with a corner at the pole: one if the pole is a corner (case 1), two if it is on an edge (case
-// 2), three if it is inside (case 3, Figure 34). Each becomes the quadrilateral between its two other corners
-// and their projections onto the line phi = 0 (or pi), which is drawn as two triangles.
+// 2), three if it is inside (case 3, Figure 34). Each of these becomes the quadrilateral between its two
+// other corners and their projections onto the line phi = 0 (or pi), which is drawn as two triangles.
 std::vector<ChartTriangle> chart_triangles(const TriangleCone& cone);
 
-// Which entries of an RSID table a few faces fill: exactly, drawn with the thesis' treatment of the poles,
-// and drawn without it (thesis, Section 3.2, Figures 32 to 34).
+// Which entries of an RSID table a few faces fill: exactly, drawn as in the thesis, and drawn without its
+// treatment of the poles (thesis, Section 3.2, Figures 32 to 34).
 
-// An entry that at least one of the three ways fills. Radii in mm, NaN where that way does not fill it.
+// An entry that at least one of the three ways fills. Radii in mm, NaN where a way does not fill it.
 struct EntryCoverage {
-  std::size_t entry = 0;  // number of the entry
-  bool met = false;       // the ray along the entry meets a face, boundary included: exact
-  bool drawn = false;     // by fill_thesis() (methods/thesis_raster.hpp)
-  bool direct = false;  // in the flat triangle between the corners' own angles: wrong at a pole and the seam
-  double met_radius = 0.0;    // of the face that is met
-  double drawn_radius = 0.0;  // that fill_thesis() gives
+  std::size_t entry = 0;      // index of the entry
+  bool met = false;           // does the ray along the entry meet a face, with its boundary? exact
+  bool drawn = false;         // does fill_thesis() fill it (methods/thesis_raster.hpp)?
+  bool direct = false;        // in the flat triangle between the corners' own angles: wrong at pole and seam
+  double met_radius = 0.0;    // on the face that is met
+  double drawn_radius = 0.0;  // from fill_thesis()
 };
 
-// Coverage in the order of entries. mesh in the centre frame, a few faces (each entry is tested against each
-// face) that do not overlap as seen from the centre.
+// The coverage, in the order of entries. `mesh` is in the centre frame and has a few faces that do not
+// overlap as seen from the centre; each entry is tested against each face.
 std::vector<EntryCoverage> chart_coverage(const TriangleMesh& mesh, const Rsid& scheme);
 
 // The faces that meet the ray along a unit vector, boundary included, with all vertices of the mesh.

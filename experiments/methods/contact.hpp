@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a joint touches, or its smallest gap, in many poses of a motion.
+// Methods that say for many poses of a motion whether a joint touches, or how large the smallest gap is.
 #pragma once
 
 #include <span>
@@ -14,32 +14,32 @@ struct JointGaps {
   std::vector<float> socket;  // of the vertices of the socket
 };
 
-/// What an answer is checked against.
+/// The reference for an answer.
 enum class Contact {
   vertices,  // the exact test of every vertex
-  faces,     // the exact overlay of the faces, but for the rounding of methods in float
+  faces,     // the exact overlay of the faces, apart from rounding in float
   gaps       // the exact gaps: the largest error is reported
 };
 
-/// A joint as a method keeps it. It may keep scratch memory between poses: one thread at a time.
+/// A method prepared for a joint. It may use scratch memory between poses, so only one thread may call it.
 struct ContactQuery {
-  Touch touches;                                        // what it says of a pose
-  std::function<void(std::span<const Pose>)> run = {};  // what is timed; empty: `touches`, pose after pose
+  Touch touches;                                        // its answer for a pose
+  std::function<void(std::span<const Pose>)> run = {};  // the timed work; empty: `touches` for each pose
   /// Smallest gap or distance of a pose, mm, where the same work yields it.
   std::function<double(const Pose&)> smallest = {};
-  /// Its gaps in a pose, until it is asked again.
+  /// The gaps in a pose, valid until the next call.
   std::function<const JointGaps&(const Pose&)> gaps = {};
 };
 
-/// One setting, and how it comes to be.
+/// One setting of a method, and how it is prepared.
 struct ContactCase : Case {
-  std::function<ContactQuery()> make = {};  // everything that is done once for a joint, which outlives it
+  std::function<ContactQuery()> make = {};  // what is done once for a joint, which must outlive the query
   Contact contact = Contact::faces;
-  Measure measure = Measure::radial;  // of its smallest gap
-  bool few = false;                   // so slow that only some of the poses are asked
+  Measure measure = Measure::radial;  // of the smallest gap
+  bool few = false;                   // so slow that only some of the poses are tested
 };
 
-/// A case that answers touch only, by the Touch that make(pair) returns.
+/// A case that only answers touch, by the Touch that make(pair) returns.
 template <class Make>
 ContactCase touch_only(std::string name, std::string label, int place, const BallSocketPair& pair,
                        const Make& make) {

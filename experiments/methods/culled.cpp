@@ -2,9 +2,9 @@
 // @can     contact
 // @links   contact
 //
-// Overlap and smallest gap without asking most vertices or faces. culled_faces: radial overlap of the
-// surfaces, edges and all, the filter of `impinge touch`; culled: of the vertices; culled_least_gap: smallest
-// gap of a vertex.
+// Overlap and smallest gap without looking at most vertices or faces. culled_faces: radial overlap of the
+// surfaces, edges included, which is the filter of `impinge touch`; culled: overlap of the vertices;
+// culled_least_gap: smallest gap of a vertex.
 
 #include <memory>
 
@@ -16,7 +16,7 @@
 namespace impinge::lab {
 namespace {
 
-// A joint and the overlay that asks it.
+// A joint, and the overlay that tests it.
 struct CulledFaces {
   explicit CulledFaces(const BallSocketPair& pair) : joint(pair), overlay(joint) {}
   CulledJoint joint;

@@ -4,7 +4,7 @@
 //
 // Method distance_grid: distances from the surface on the nodes of a regular Cartesian grid, by cgal_closest,
 // in float, interpolated trilinearly. The thesis (Section 3.6.2) argues that its memory grows with the cube
-// of the resolution, where that of a table grows with the square.
+// of the resolution, and that of a table with the square.
 
 #include <memory>
 

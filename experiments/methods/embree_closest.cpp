@@ -3,7 +3,7 @@
 // @links   gap gap_queries peer::embree
 //
 // Method embree_closest: distance of a point from the surface by Embree's point query. Embree walks its tree
-// in float and leaves the distance from a triangle to the caller: that is in double here.
+// in float and leaves the distance from a triangle to the caller, which computes it in double here.
 
 #include <cmath>
 #include <limits>
@@ -16,14 +16,14 @@
 namespace impinge::lab {
 namespace {
 
-// What a triangle's visit needs and leaves.
+// Input and result of visiting a triangle.
 struct Search {
   const TriangleMesh* mesh;
   Vec3 point;
   double squared;  // of the nearest so far, mm^2
 };
 
-// The radius of the query shrinks to the distance, rounded up, so that the tree leaves out what is farther.
+// Shrinks the radius of the query to the distance, rounded up, so that the tree skips what is farther.
 bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
   auto& search = *static_cast<Search*>(arguments->userPtr);
   const Face& face = search.mesh->faces[arguments->primID];
@@ -37,7 +37,7 @@ bool visit_triangle(RTCPointQueryFunctionArguments* arguments) {
   return true;
 }
 
-// A copy of the mesh beside Embree's tree.
+// Embree's tree with a copy of the mesh.
 struct Searched {
   explicit Searched(TriangleMesh of) : mesh(std::move(of)), scene(mesh, EmbreeQuality::robust) {}
 

@@ -3,8 +3,8 @@
 // @links   gap gap_queries peer::embree
 //
 // Methods embree_ray1, embree_ray8 and embree_ray16: the layer of a surface that counts along a ray from the
-// centre, by Embree, one ray at a time or 8 or 16 in a packet: the first triangle that the ray meets, or the
-// last, by a filter that refuses all. Rays and triangles in float.
+// centre, by Embree, with 1, 8 or 16 rays at a time. It is the first triangle that the ray meets, or the
+// last, by a filter that refuses all. Rays and triangles are in float.
 
 #include <algorithm>
 #include <array>
@@ -22,13 +22,13 @@ constexpr float kForever = std::numeric_limits<float>::infinity();
 
 constexpr std::size_t kMostRays = 16;  // of a packet
 
-// A surface and the layer of it that counts.
+// A surface and its layer that counts.
 struct Asked {
   EmbreeScene scene;
   Layer layer = Layer::nearest;
 };
 
-// A query, with the farthest crossing of each ray, in lengths of the point that it passes.
+// A query with the farthest crossing of each ray, in units of its point's distance.
 struct Query : RTCIntersectContext {
   explicit Query(const Asked& asked) {
     rtcInitIntersectContext(this);

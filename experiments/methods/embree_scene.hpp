@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface in Embree 3: its tree over the triangles, in float, built and kept by one thread.
+// A surface in Embree 3: its tree of triangles, in float, made and used by one thread.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,21 @@
 
 namespace impinge::lab {
 
-// `robust` asks for intersections that let no ray slip through an edge; `fast` is Embree's default.
+// `robust` uses intersections that let no ray slip through an edge; `fast` is Embree's default.
 enum class EmbreeQuality { fast, robust };
 
 class EmbreeScene {
  public:
-  // mesh in the centre frame; may queries bring a filter of their own? Throws std::runtime_error when Embree
-  // refuses.
+  // `mesh` is in the centre frame. `filtered`: may queries bring their own filter? Throws
+  // std::runtime_error if Embree refuses.
   EmbreeScene(const TriangleMesh& mesh, EmbreeQuality quality, bool filtered = false);
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
   ~EmbreeScene();
 
-  RTCScene get() const { return scene_; }  // to ask, while this object lives
+  RTCScene get() const { return scene_; }  // valid while this object lives
 
-  // What Embree's memory monitor counted: tree, vertices and triangles.
+  // Bytes counted by Embree's memory monitor: tree, vertices and triangles.
   double bytes() const { return static_cast<double>(bytes_); }
 
  private:

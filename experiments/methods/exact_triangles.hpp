@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangles of a mesh for CGAL: double coordinates, exact predicates.
+// Triangles of a mesh for CGAL, with double coordinates and exact predicates.
 #pragma once
 
 #include <vector>
@@ -11,11 +11,11 @@
 
 namespace impinge::lab {
 
-// CGAL's kernel of that kind.
+// CGAL's kernel with exact predicates.
 using ExactPredicates = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-// Faces of the posed mesh in socket coordinates. Faces that are exactly degenerate have no interior to cross
-// and are left out: CGAL's predicates do not take them.
+// Faces of the posed mesh in socket coordinates. Exactly degenerate faces are left out: they have no
+// interior, and CGAL's predicates do not accept them.
 inline std::vector<ExactPredicates::Triangle_3> exact_triangles(const TriangleMesh& mesh,
                                                                 const Pose& pose = {}) {
   std::vector<ExactPredicates::Point_3> points;

@@ -11,7 +11,7 @@
 namespace impinge::lab {
 
 // Pairs of faces without a common vertex that share a point, by exact predicates; each once, the smaller
-// number first, in order. Exactly degenerate faces cross nothing.
+// index first, in order. Exactly degenerate faces cross nothing.
 std::vector<std::pair<std::size_t, std::size_t>> face_crossings(const TriangleMesh& mesh);
 
 }  // namespace impinge::lab

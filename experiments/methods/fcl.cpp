@@ -2,16 +2,15 @@
 // @can     touch contact steps turns
 // @links   gap peer::fcl
 //
-// FCL's trees of boxes on both surfaces, one answer for a whole pose. fcl_obb and fcl_collide: oriented
-// boxes, do the surfaces meet? One contact is asked for, without its depth, and ends the search. The thesis
-// compares with RAPID (Gottschalk, Lin and Manocha 1996), which is not free software: its licence allows no
-// commercial use. FCL is its kept descendant, from the same group, with the same tree. fcl_distance: boxes
-// with a rectangle swept by a sphere inside, smallest distance, to the last digits (no tolerance is given
-// away).
+// FCL's trees of boxes on both surfaces, which answer for a whole pose. fcl_obb and fcl_collide use oriented
+// boxes: do the surfaces meet? They ask for one contact without its depth, which ends the search. The thesis
+// compares with RAPID (Gottschalk, Lin and Manocha 1996), whose licence allows no commercial use. FCL is its
+// maintained successor from the same group, with the same tree. fcl_distance gives the smallest distance with
+// boxes that have a rectangle swept by a sphere inside, to the last digits (no tolerance).
 //
-// Turns: fcl_continuous is its conservative advancement on the same trees, along a rotation, to 1e-9 of the
-// turn and with 10,000 advances at most; points and edges are triangles that repeat corners. fcl_linear is
-// its test of corners and faces, edges and edges, as cloth has it: corners move along chords of one degree.
+// For turns: fcl_continuous is FCL's conservative advancement on the same trees, along a rotation, to 1e-9 of
+// the turn with at most 10,000 advances; points and edges are triangles that repeat corners. fcl_linear is
+// FCL's test for cloth, of corners with faces and edges with edges; corners move along chords of one degree.
 
 #include <algorithm>
 #include <array>
@@ -68,7 +67,7 @@ Touch fcl_touch(const BallSocketPair& pair) {
   };
 }
 
-// mm, 0 where they touch.
+// mm; 0 where they touch
 std::function<double(const Pose&)> smallest_distance(const BallSocketPair& pair) {
   return [trees = std::make_shared<const Trees<fcl::OBBRSS<double>>>(pair)](const Pose& pose) {
     const fcl::DistanceRequest<double> request;
@@ -100,7 +99,8 @@ FindTurn advancing(const TurnQuery& query) {
 
 using Corners = std::array<Vec3, 3>;
 
-// Where both features are at two times; the share of the time at which they first meet, or more than 1.
+// The positions of both features at two times; gives the share of the time at which they first meet, or more
+// than 1.
 class LinearStep {
  public:
   LinearStep(const Corners& turning, const Corners& turned, const Corners& resting)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ways of filling a joint's tables that Tables 3 and 8 of the thesis time, and our own.
+// Ways to fill a joint's tables: those that Tables 3 and 8 of the thesis time, and our own.
 #pragma once
 
 #include <algorithm>
@@ -18,24 +18,24 @@ template <SamplingScheme S>
 struct FillMethod {
   std::string_view name;                                         // in the results
   RadialTable<S> (*fill)(const TriangleMesh&, const S&, Layer);  // mesh in the centre frame
-  // Proven bound on the error of an entry, mm, at a precision in degrees.
+  // Proven bound on the error of an entry, mm, for a precision in degrees.
   double (*tolerance)(const TriangleMesh&, double);
   bool same_cover = false;  // does it fill exactly the entries whose ray meets the surface, also at its rim?
 };
 
-// Tolerance of methods that are exact but for rounding, mm: far above their rounding.
+// Tolerance of methods that are exact but for rounding, mm; far above their rounding.
 inline double exact_tolerance(const TriangleMesh& mesh, double /*precision_deg*/) {
   double radius = 0.0;
   for (const Vec3& v : mesh.vertices) radius = std::max(radius, v.norm());
   return 1e-9 * radius;
 }
 
-// Tolerance of the thesis' raster, at any precision, mm.
+// Tolerance of the thesis' raster for any precision, mm.
 inline double raster_tolerance(const TriangleMesh& mesh, double /*precision_deg*/) {
   return thesis_raster_bound(mesh);
 }
 
-// The method that Tables 3 and 8 compare with, as the thesis describes it.
+// The method with which Tables 3 and 8 compare, as the thesis describes it.
 inline constexpr FillMethod<Rsid> kPairwiseThesis{"pairwise_thesis", fill_thesis_pairwise<Rsid>,
                                                   exact_tolerance, true};
 // The thesis' own method of Tables 3 and 8, as described there.
@@ -45,7 +45,7 @@ inline constexpr FillMethod<Rsid> kRsid{"rsid", fill_exact<Rsid>, exact_toleranc
 inline constexpr FillMethod<Usid> kUsidThesis{"usid_thesis", fill_resampled<Usid>, resampling_bound};
 inline constexpr FillMethod<Usid> kUsid{"usid", fill_exact<Usid>, exact_tolerance, true};  // our exact raster
 
-// Calls visit(table, mesh, layer) for the tables of ball and socket, each filled and released in its turn.
+// Calls visit(table, mesh, layer) for the tables of ball and socket, each filled and released in turn.
 template <SamplingScheme S, class Visit>
 void for_both_tables(const FillMethod<S>& method, const BallSocketPair& pair, const S& scheme,
                      Visit&& visit) {
@@ -53,8 +53,8 @@ void for_both_tables(const FillMethod<S>& method, const BallSocketPair& pair, co
   visit(method.fill(pair.socket, scheme, Layer::nearest), pair.socket, Layer::nearest);
 }
 
-// Compares `entries` entries of both tables with brute force. Throws std::runtime_error for the first one
-// that is farther off than the tolerance of the method.
+// Compares `entries` entries of both tables with brute force. Throws std::runtime_error for the first error
+// above the method's tolerance.
 template <SamplingScheme S>
 void require_filling(const FillMethod<S>& method, const BallSocketPair& pair, const S& scheme,
                      std::size_t entries) {
@@ -64,13 +64,13 @@ void require_filling(const FillMethod<S>& method, const BallSocketPair& pair, co
   });
 }
 
-// The tables of a joint, made once and filled again and again, as in a program that keeps them. This times
-// the thesis' sampling without making, emptying, masking and freeing the tables.
+// The tables of a joint, made once and filled many times, as in a program that keeps them. So the thesis'
+// sampling is timed without making, emptying, masking and freeing the tables.
 
 // The grids and the helices of one joint and one precision.
 class KeptTables {
  public:
-  // Empty grids and helices of the precision, degrees. The pair must outlive them.
+  // Makes empty grids and helices of a precision, degrees. The pair must outlive them.
   KeptTables(const BallSocketPair& pair, double precision_deg)
       : pair_(&pair),
         ball_grid_(Rsid::with_precision(precision_deg)),
@@ -78,7 +78,7 @@ class KeptTables {
         ball_helix_(Usid::with_precision(precision_deg)),
         socket_helix_(ball_helix_.scheme()) {}
 
-  // Draws both surfaces over what the grids hold.
+  // Draws both surfaces over the present contents of the grids.
   void fill_grids() {
     draw_thesis(pair_->ball, Layer::farthest, ball_grid_);
     draw_thesis(pair_->socket, Layer::nearest, socket_grid_);
@@ -103,8 +103,8 @@ class KeptTables {
   RadialTable<Usid> socket_helix_;
 };
 
-// Fills the tables and throws std::runtime_error, as require_filling(), if a grid is off by more than
-// thesis_raster_bound(), or a helix by more than resampling_bound().
+// Fills the tables. Throws std::runtime_error, as require_filling(), if a grid is off by more than
+// thesis_raster_bound() or a helix by more than resampling_bound().
 inline void require_kept(KeptTables& kept, const BallSocketPair& pair, std::size_t entries) {
   kept.fill_helices();
   const double precision = kept.ball_helix().scheme().precision_deg();

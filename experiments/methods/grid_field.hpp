@@ -21,12 +21,12 @@ struct DistanceGridShape {
   std::size_t nodes = 0;    // along each side, 2 or more
 };
 
-// Distance of neighbouring nodes, mm.
+// Distance between neighbouring nodes, mm.
 inline double spacing_of(const DistanceGridShape& shape) {
   return 2.0 * shape.half_width / static_cast<double>(shape.nodes - 1);
 }
 
-/// The cube that holds ball and socket in the pose of the scene.
+/// The cube that holds ball and socket in the scene's pose.
 inline DistanceGridShape grid_shape(const BenchmarkScene& scene, std::size_t nodes) {
   double half_width = 0.0;
   for (const Vec3& v : scene.pair.socket.vertices)
@@ -36,10 +36,10 @@ inline DistanceGridShape grid_shape(const BenchmarkScene& scene, std::size_t nod
 }
 
 /// Proven bound on the error of a distance interpolated between nodes, mm. A distance changes by at most the
-/// distance moved, so an answer, the mean of eight nodes x_i with weights w_i, errs by at most
+/// distance moved. So an answer, the mean of eight nodes x_i with weights w_i, errs by at most
 ///   sum w_i |x - x_i| <= sqrt(sum w_i |x - x_i|^2) = h sqrt(sum_k t_k (1 - t_k)) <= h sqrt(3) / 2,
-/// h the spacing and t the place in the cell. Floats add 2^-23 of the largest distance, which is at most the
-/// diagonal of the cube, as the surface is inside it.
+/// where h is the spacing and t the place in the cell. Floats add 2^-23 of the largest distance, which is at
+/// most the diagonal of the cube, since the surface is inside it.
 inline double distance_grid_bound(const DistanceGridShape& shape) {
   const double largest = 2.0 * std::numbers::sqrt3 * shape.half_width;
   return 0.5 * std::numbers::sqrt3 * spacing_of(shape) + 0x1p-23 * largest;
@@ -47,8 +47,8 @@ inline double distance_grid_bound(const DistanceGridShape& shape) {
 
 class GridField {
  public:
-  // values_of(nodes, out) writes the values at the nodes of one row. std::invalid_argument for fewer than 2
-  // nodes or no width.
+  // values_of(nodes, out) writes the values of one row of nodes. Throws std::invalid_argument for fewer than
+  // 2 nodes or no width.
   template <class ValuesOf>
   GridField(const DistanceGridShape& shape, ValuesOf&& values_of) : shape_(shape) {
     if (shape.nodes < 2 || !(shape.half_width > 0.0)) {
@@ -68,7 +68,7 @@ class GridField {
     }
   }
 
-  // The interpolated value at x, frame of the grid, mm; NaN outside of the cube.
+  // The interpolated value at x in the frame of the grid, mm; NaN outside the cube.
   double at(const Vec3& x) const {
     std::array<std::size_t, 3> low{};
     std::array<double, 3> t{};
@@ -89,7 +89,7 @@ class GridField {
     return (1.0 - t[2]) * along_y(low[2]) + t[2] * along_y(low[2] + 1);
   }
 
-  std::size_t bytes() const { return values_.size() * sizeof(float); }  // of the values
+  std::size_t bytes() const { return values_.size() * sizeof(float); }  // memory of the values
 
  private:
   double coordinate(std::size_t i) const { return -shape_.half_width + static_cast<double>(i) / scale_; }

@@ -14,11 +14,11 @@
 namespace impinge::lab {
 namespace {
 
-constexpr std::size_t kChecked = 50;  // hits, at most
+constexpr std::size_t kChecked = 50;  // hits that are checked, at most
 
-// Each hit is in a voxel of the socket.
+// Checks that each hit is in a voxel of the socket.
 void check(HuVoxels& voxels, const BallSocketPair& joint, double size) {
-  Pose deep;  // somewhere, so that there are hits
+  Pose deep;  // a pose with hits
   deep.translation = Vec3(0.0, 0.0, 5.0);
   const std::vector<Vec3>& all = voxels.collided(deep);
   std::vector<Vec3> hits;

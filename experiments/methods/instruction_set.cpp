@@ -9,7 +9,7 @@
 namespace impinge {
 namespace {
 
-// A bit for each set, the lowest for the best. The set that needs nothing is always there.
+// One bit per instruction set, the lowest for the best. The set that needs nothing is always there.
 constexpr std::int64_t kCompiled = HWY_TARGETS;
 std::int64_t usable() { return (hwy::SupportedTargets() & kCompiled) | HWY_STATIC_TARGET; }
 

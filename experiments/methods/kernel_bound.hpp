@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is proven of a kernel's answers beyond the bound of its table in exact arithmetic: what storing fewer
-// bytes a number adds (sphere/stored_table.hpp) and what rounding does (gap/simd/gap_kernels.hpp).
+// Proven error of a kernel's answers beyond the bound of its table in exact arithmetic: from storing fewer
+// bytes per number (sphere/stored_table.hpp) and from rounding (gap/simd/gap_kernels.hpp).
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 
 namespace impinge::lab {
 
-/// Lengths, mm: the largest radius of the surface, and the largest distance of a point from the centre.
+/// The largest radius of the surface, and the largest distance of a point from the centre, mm.
 struct KernelReach {
   double radius = 0.0;
   double point = 0.0;
 };
 
-/// The greatest change within a cell, mm: D of gap_kernels.hpp. Of radii up to `radius` mm.
+/// The greatest change within a cell, mm: D of gap_kernels.hpp, for radii up to `radius` mm.
 template <SamplingScheme S, class Value>
 double largest_step(const PackedTable<S, Value>& table, double radius) {
   if constexpr (std::same_as<S, Usid>) return radius;
@@ -40,7 +40,7 @@ double largest_step(const PackedTable<S, Value>& table, double radius) {
   return largest;
 }
 
-/// mm; of a table with `cells` along a quarter turn (an edge of the cube).
+/// The error, mm, for a table with `cells` along a quarter turn (an edge of the cube).
 template <SamplingScheme S, class Value>
 double kernel_doubt(const PackedTable<S, Value>& table, double cells, const KernelReach& reach) {
   constexpr bool kCube = std::same_as<S, CubeGnomonic>;

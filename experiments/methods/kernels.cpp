@@ -3,7 +3,7 @@
 // @links   gap gap_simd gap_queries memory_floor
 //
 // The library's scans: kernels with vector instructions on tables of several kinds and storages, the scalar
-// scan in double, and the least that a look-up can do.
+// scan in double, and the least work of a look-up.
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@
 namespace impinge::lab {
 namespace {
 
-// The floor's tables are as large as those of such cubes in 16 bits, or of kMainCells in float.
+// The floor's tables are as large as such cubes in 16 bits, or as kMainCells in float.
 constexpr std::array<std::size_t, 2> kFloorCells{kMainCells, 412};
 constexpr double kReach = 64.0;  // mm, beyond every vertex of the pair
 
@@ -87,7 +87,7 @@ KernelReach reach_of(const TriangleMesh& mesh) {
   return {radius, std::max(radius, kReach)};
 }
 
-// u (18 r + 8 |gap|), see exact_cells.hpp, which is silent about faces that are steeper than this.
+// Bound u (18 r + 8 |gap|) of exact_cells.hpp; it does not hold for steeper faces.
 constexpr double kSteepest = 1e8;
 
 GapCase exact_case(const AskedSurface& s, int cells) {
@@ -104,7 +104,7 @@ GapCase exact_case(const AskedSurface& s, int cells) {
   return one;
 }
 
-// A kernel of a table, with what is proven of both.
+// A kernel on a table, with the proven bound of both.
 template <class Value, SamplingScheme S>
 GapCase bounded_case(const AskedSurface& s, const GapSizes& sizes, const Kind& kind, std::string setting,
                      const S& scheme) {
@@ -126,7 +126,7 @@ GapCase bounded_case(const AskedSurface& s, const GapSizes& sizes, const Kind& k
   return one;
 }
 
-// Without the mask of its rim: what that costs, and what is wrong without it.
+// Without the mask of its rim, to show what the mask costs and what goes wrong without it.
 GapCase maskless_case(const AskedSurface& s, std::size_t cells) {
   const auto make = [s, cells] {
     auto table = packed_table<std::uint16_t>(filled_cube(s, cells));
@@ -152,7 +152,7 @@ void add_cubes(const AskedSurface& s, const GapSizes& sizes, std::vector<GapCase
   }
 }
 
-// A grid of radii: the library's scan, one vertex at a time, and the kernels.
+// A grid of radii: the library's scan of one vertex at a time, and the kernels.
 template <SamplingScheme S>
 GapCase scalar_case(const AskedSurface& s, const std::string& label, const S& scheme, std::string setting) {
   const Kind kind{std::string(S::name) + "_scalar", label + ", scalar"};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Bringing a table up to date after a part of its mesh has moved (the thesis' deformable case): only entries
-/// that a changed face covers, before or after, are worked out again.
+/// Updates a table after a part of its mesh has moved (the thesis' deformable case). Only entries that a
+/// changed face covers, before or after, are worked out again.
 #pragma once
 
 #include <algorithm>
@@ -17,27 +17,27 @@
 
 namespace impinge {
 
-/// Faces with a corner that has moved. std::invalid_argument unless the meshes differ only in the places of
+/// Faces with a moved corner. Throws std::invalid_argument unless the meshes differ only in the places of
 /// their vertices.
 std::vector<std::size_t> changed_faces(const TriangleMesh& before, const TriangleMesh& after);
 
-/// A cap that holds all directions of these faces in both meshes; all directions where none narrower is
-/// found.
+/// A cap that holds all directions of these faces in both meshes; if no narrower cap is found, it is the
+/// whole sphere.
 DirectionCap cap_of_faces(const TriangleMesh& before, const TriangleMesh& after,
                           const std::vector<std::size_t>& faces);
 
-/// Are all directions of the face outside of the cap? false where that is not certain.
+/// Are all directions of the face outside the cap? False if that is not certain.
 bool surely_outside(const TriangleMesh& mesh, const Face& face, const DirectionCap& cap);
 
-/// `table` was filled exactly from `before` for this layer and becomes that of `after`, bit for bit. Returns
-/// how many entries were worked out: all of them for a scheme without known cell borders (HasKnownBorders).
-/// The rim is always traced anew as a whole. Throws as changed_faces().
+/// Makes the table of `after` from `table`, which was filled exactly from `before` for this layer; the result
+/// is the same bit for bit. Returns how many entries were worked out: all for a scheme without known cell
+/// borders (HasKnownBorders). The rim is always traced anew as a whole. Throws as changed_faces().
 template <SamplingScheme S>
 std::size_t refill(const TriangleMesh& before, const TriangleMesh& after, Layer layer,
                    RadialTable<S>& table) {
   const std::vector<std::size_t> changed = changed_faces(before, after);
   if (changed.empty()) return 0;
-  if constexpr (!HasKnownBorders<S>) {  // entries beside the rim that was have no radius any more
+  if constexpr (!HasKnownBorders<S>) {  // entries beside the former rim have no radius
     table = fill_exact(after, table.scheme(), layer);
     return table.scheme().size();
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A method: one way to do the work, ours or another library's. Adding one is adding a file to
-// experiments/methods/ whose head says what it can do and what it is linked with,
+// A method: one way to do the work, ours or another library's. To add one, add a file to experiments/methods/
+// whose head says what it can do and what it is linked with,
 //   // @can     points touch
 //   // @links   gap peer::embree
 // and in which NAME.cpp defines Method NAME_method(). The build puts it into the list of each of these
-// abilities; an experiment asks such a list for its cases and names no method itself. A method whose library
-// is not installed is left out.
+// abilities; an experiment asks such a list for its cases and names no method itself. Methods whose library
+// is not installed are left out.
 #pragma once
 
 #include <algorithm>
@@ -21,31 +21,31 @@
 
 namespace impinge::lab {
 
-/// How results name a method in one setting. Names begin with that of the library if there is one.
+/// Names of a method in one setting. A name begins with that of the library if there is one.
 struct Case {
-  std::string name = {};     // in the results; empty: that of the method
-  std::string label = {};    // what a reader calls it; empty: that of the method
+  std::string name = {};     // in the results; empty: the method's
+  std::string label = {};    // for readers; empty: the method's
   std::string setting = {};  // such as "1deg float"
   int place = 100;  // order among the cases of all methods; ties by file, then as the method gives them
 };
 
-/// What an answer is, mm.
+/// The kind of an answer, mm.
 enum class Measure {
-  radial,    // along the ray from the centre: of a radius or of a gap
-  euclidean  // distance of the surface from the point, or of the surfaces from one another
+  radial,    // along the ray from the centre: a radius or a gap
+  euclidean  // distance of a point from the surface, or of two surfaces
 };
 /// "radial" or "euclidean".
 constexpr std::string_view name_of(Measure measure) {
   return measure == Measure::radial ? "radial" : "euclidean";
 }
 
-/// Do the surfaces touch in this pose? May keep scratch memory between poses: one thread at a time.
+/// Do the surfaces touch in this pose? It may keep scratch memory, so only one thread may call it.
 using Touch = std::function<bool(const Pose&)>;
 
 /// Whether a pose touches: Tables 4 and 9 of the thesis.
 struct TouchCase : Case {
   Touch touches;
-  bool gives_distance = false;  // does the same work yield the distance between the surfaces, everywhere?
+  bool gives_distance = false;  // does the same work give the distance between the surfaces, everywhere?
 };
 
 // The other abilities, each in the header of its name.
@@ -60,12 +60,12 @@ struct BaselineSizes;
 struct BaselineCase;
 struct TurnCase;
 
-/// What a method can do; empty: it cannot. Meshes in their centre frames, mm; they outlive the cases.
+/// What a method can do; empty: it cannot. Meshes in their centre frames, mm; they must outlive the cases.
 struct Method {
-  std::string name = {};   // of its cases, where they have none of their own
-  std::string label = {};  // of its cases, as a reader calls them
+  std::string name = {};   // of its cases, unless they have their own
+  std::string label = {};  // of its cases, for readers
   std::string lacks = {};  // what it cannot do, and why
-  /// points.hpp: how far the surface is, point by point.
+  /// points.hpp: the distance to the surface, point by point.
   std::function<std::vector<PointCase>(const BenchmarkScene&, const PointSizes&)> points = {};
   /// gaps.hpp: the gap at every vertex of one surface in a pose.
   std::function<std::vector<GapCase>(const AskedSurface&, const GapSizes&)> gaps = {};
@@ -91,7 +91,7 @@ std::vector<Method> steps_methods();
 std::vector<Method> baseline_methods();
 std::vector<Method> turns_methods();
 
-/// The cases of all methods with an ability, in the order of their places: cases_of(touch_methods(),
+/// The cases of all methods with an ability, in the order of `place`: cases_of(touch_methods(),
 /// &Method::touch, pair, 0.1).
 template <class OneCase, class... Of>
 std::vector<OneCase> cases_of(const std::vector<Method>& methods,
@@ -109,7 +109,7 @@ std::vector<OneCase> cases_of(const std::vector<Method>& methods,
   return all;
 }
 
-/// Adds the label of each case that has one, by its name, for the sidecar of a result.
+/// Adds the labels of those cases that have one, by their names, for the sidecar of a result.
 template <class Cases>
 void add_labels(std::map<std::string, std::string>& labels, const Cases& cases) {
   for (const Case& one : cases) {

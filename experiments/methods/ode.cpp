@@ -2,9 +2,9 @@
 // @can     contact steps
 // @links   gap peer::ode
 //
-// Method ode_collide: trees of boxes along the axes, by OPCODE inside the Open Dynamics Engine. One contact
-// is asked for, none of whose numbers matter. OPCODE works in float, so that a verdict may differ from the
-// exact one next to contact.
+// Method ode_collide: trees of boxes along the axes, by OPCODE in the Open Dynamics Engine. It asks for one
+// contact and ignores its numbers. OPCODE works in float, so a verdict next to contact may differ from the
+// exact one.
 
 #include <memory>
 #include <vector>
@@ -16,7 +16,7 @@
 namespace impinge::lab {
 namespace {
 
-// The engine, from the first surface to the last: ODE counts how often it is begun.
+// The engine, alive from the first surface to the last; ODE counts how often it is begun.
 struct Engine {
   Engine() { dInitODE2(0); }
   Engine(const Engine&) = delete;
@@ -24,14 +24,14 @@ struct Engine {
   ~Engine() { dCloseODE(); }
 };
 
-// ODE reads the vertices and indices where they are.
+// ODE reads the vertices and indices in place.
 class Mesh {
  public:
   explicit Mesh(const TriangleMesh& mesh) : data_(dGeomTriMeshDataCreate()) {
     for (const Vec3& v : mesh.vertices) vertices_.insert(vertices_.end(), {v.x(), v.y(), v.z()});
     for (const Face& face : mesh.faces)
       for (const VertexIndex v : face) indices_.push_back(static_cast<dTriIndex>(v));
-    if (mesh.faces.size() == 1)  // of which OPCODE makes no tree: it is given twice
+    if (mesh.faces.size() == 1)  // OPCODE makes no tree of one face, so it is given twice
       for (std::size_t k = 0; k < 3; ++k) indices_.push_back(indices_[k]);
     dGeomTriMeshDataBuildDouble(data_, vertices_.data(), 3 * sizeof(double),
                                 static_cast<int>(mesh.vertices.size()), indices_.data(),

@@ -3,10 +3,9 @@
 // @links   gap heap_use CGAL::CGAL
 //
 // Method pairwise: everything against every triangle, the O(n^2) baseline of the thesis (Tables 4 and 9).
-//
-// Of a pose: CGAL's triangle test (Guigue and Devillers 2003) on exact predicates. What is counted: placing
-// the ball and all pairs of a pose that is free. A pose that touches stops at the first pair that meets.
-// Nothing is culled. Of a point: its ray against every triangle (table/pairwise.hpp).
+// Nothing is culled. For a pose it is CGAL's triangle test (Guigue and Devillers 2003) on exact predicates.
+// Placing the ball counts, and in a free pose all pairs; a pose that touches stops at the first pair that
+// meets. For a point it is its ray against every triangle (table/pairwise.hpp).
 
 #include "table/pairwise.hpp"
 
@@ -31,7 +30,7 @@ PointQuery rays(const TriangleMesh& mesh) {
   const auto caster = std::make_shared<const RayCaster>(mesh);
   return one_by_one(
       [caster](const Vec3& x) {
-        // Normalised once more a unit vector may move by an ulp, over the edge that it goes through.
+        // Normalising a unit vector once more may move it by an ulp, across the edge that it goes through.
         const bool is_unit = std::abs(x.squaredNorm() - 1.0) < kUnitRounding;
         return caster->cast(is_unit ? x : x.normalized(), BenchmarkScene::kLayer);
       },

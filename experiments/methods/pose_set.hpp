@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The poses that detection is timed over, and the check that must pass before.
+// The poses over which detection is timed, and the check that must pass first.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace impinge::lab {
 
-// A pose, and what the results call it.
+// A pose with its name in the results.
 struct NamedPose {
   std::string name;  // clear, near or touching, and the rotation
   Pose pose;         // of the ball in the socket
 };
 
-// Six poses: the ball as given and turned by 10 degrees about an axis across the socket's, each of them
-//   clear     centres together,
+// Six poses: the ball as given and turned by 10 degrees about an axis across the socket's, each
+//   clear     with both centres together,
 //   near      moved along the socket's axis, in steps of 0.05 mm, until the smallest gap is at most 0.5 mm,
 //   touching  moved on until the smallest gap is at most -0.5 mm.
-// Gaps by RSID tables at 1 degree. Meshes in their centre frames, mm. Throws std::runtime_error when 20 mm do
-// not bring the surfaces together.
+// Gaps are by RSID tables at 1 degree. Meshes in their centre frames, mm. Throws std::runtime_error if 20 mm
+// do not bring the surfaces together.
 std::vector<NamedPose> pose_set(const BallSocketPair& pair);
 
 // Unit vector from the centre towards the middle of the socket, by area.
@@ -30,14 +30,14 @@ Vec3 socket_axis(const TriangleMesh& socket);
 // Throws std::runtime_error with method and pose if the two methods differ in a pose.
 void require_agreement(const TouchCase& method, const TouchCase& oracle, const std::vector<NamedPose>& poses);
 
-// Number of poses that touch. This is the work that is timed: one answer a pose.
+// The number of poses that touch. This is the timed work: one answer per pose.
 int count_touching(const TouchCase& method, const std::vector<NamedPose>& poses);
 
 // The smallest distance between ball and socket in a pose, from pairs of triangles: the reference for methods
 // that answer for a whole pose.
 
-// Euclidean, mm, up to rounding; 0 if the surfaces meet (decided exactly). Triangles of the ball that cannot
-// be nearer than the nearest vertex are skipped.
+// Euclidean, mm, up to rounding; 0 if the surfaces meet, which is decided exactly. Skips triangles of the
+// ball that cannot be nearer than the nearest vertex.
 double surface_distance(const BenchmarkScene& scene);
 
 }  // namespace impinge::lab

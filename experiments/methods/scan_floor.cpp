@@ -14,8 +14,8 @@ namespace {
 
 using namespace impinge::HWY_NAMESPACE;
 
-// One entry a vertex, as near to that of its neighbours as the vertices are: the place on a square of `side`
-// entries a side that x and y have along an axis.
+// Reads one entry per vertex, on a square with `side` entries per side, at the place given by x and y. So
+// entries of neighbouring vertices are as near to each other as the vertices are.
 void floor_lanes(const FloorTable& table, const RawScan<float>& scan) {
   using D = hn::ScalableTag<float>;
   const D d;

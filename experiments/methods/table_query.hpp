@@ -37,7 +37,7 @@ PointQuery table_query(Table filled) {
 /// The name of a precision (degrees) in results, such as "0.5deg".
 inline std::string degrees_text(double precision) { return Cell(precision).text() + "deg"; }
 
-/// The table of a precision (degrees); mesh in the centre frame, and the layer of it that is asked.
+/// The table of a precision (degrees). `mesh` is in the centre frame; `layer` is its layer that counts.
 template <SamplingScheme S>
 RadialTable<S> exact_radii_of(const TriangleMesh& mesh, double precision, Layer layer) {
   return fill_exact(mesh, S::with_precision(precision), layer);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The method of the thesis (Algorithm 2): all vertices of the ball against the table of the socket and all
-// vertices of the socket against the table of the ball. Named after the scheme of its tables.
-//
-// The work: the signed gap of every vertex of both surfaces, and the smallest of them. Only vertices are
-// tested: contact of two edges between vertices is not seen.
+// Method of the thesis (Algorithm 2): all vertices of the ball against the table of the socket, and all
+// vertices of the socket against the table of the ball. It is named after the scheme of its tables. The work
+// is the signed gap of every vertex of both surfaces and the smallest of these. Only vertices are tested:
+// contact of two edges between vertices is not seen.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +30,7 @@ struct TablePair {
   RadialTable<S> socket;  // its nearest layer
 };
 
-/// Tables of both surfaces by the exact raster: farthest layer of the ball, nearest of the socket.
+/// Tables of both surfaces by the exact raster: farthest layer of the ball, nearest layer of the socket.
 template <SamplingScheme S>
 std::shared_ptr<const TablePair<S>> make_tables(const BallSocketPair& pair, double precision_deg) {
   const S scheme = S::with_precision(precision_deg);
@@ -51,7 +50,7 @@ class TableScan {
 
   bool touches(const Pose& pose) { return smallest_gap(pose) <= 0.0; }
 
-  // Millimetres; NaN where no vertex meets the other surface.
+  // The smallest gap, mm; NaN if no vertex meets the other surface.
   double smallest_gap(const Pose& pose) {
     const std::span<double> gaps(gap_);
     scan_gaps(tables_->socket, ball_, pose, Surface::ball, gaps.first(ball_.size()));
@@ -61,7 +60,7 @@ class TableScan {
     return std::isinf(smallest) ? std::numeric_limits<double>::quiet_NaN() : smallest;
   }
 
-  // Gaps of the last pose, mm: those of the ball's vertices, then those of the socket's.
+  // Gaps of the last pose, mm: first the ball's vertices, then the socket's.
   std::span<const double> gaps() const { return gap_; }
 
  private:
@@ -71,17 +70,17 @@ class TableScan {
   std::vector<double> gap_;
 };
 
-// Checks a table against brute force over the mesh, before its filling is timed.
+// Checks a table by brute force over the mesh, before its filling is timed.
 
 struct TableCheck {
-  std::size_t entries = 2000;  // compared, evenly through the table
+  std::size_t entries = 2000;  // number compared, spread evenly over the table
   double tolerance = 0.0;      // mm
   // Must the table have a radius exactly where rays meet the mesh? If not, only entries with a radius in both
-  // are compared: a rasteriser that bends edges covers other entries along a rim.
+  // are compared, since a rasteriser that bends edges covers other entries along a rim.
   bool same_cover = true;
 };
 
-// Mesh in the centre frame. Throws std::runtime_error that names the first entry that is wrong.
+// `mesh` is in the centre frame. Throws std::runtime_error that names the first wrong entry.
 template <SamplingScheme S>
 void require_radii(const RadialTable<S>& table, const TriangleMesh& mesh, Layer layer,
                    const TableCheck& check) {

@@ -2,8 +2,8 @@
 // @can     points gaps
 // @links   gap gap_queries
 //
-// Every scheme of every precision it can have, in double, float and 16 bits; those whose entries lie on a
-// solid also with inverse depths, as SCHEME_mesh_exact. Filled exactly. All gaps of a pose by two of them.
+// Every scheme at every precision it can have, in double, float and 16 bits. Schemes whose entries lie on a
+// solid also have inverse depths, as SCHEME_mesh_exact. Filled exactly. Two answer all gaps of a pose.
 
 #include <memory>
 #include <optional>
@@ -18,7 +18,7 @@
 namespace impinge::lab {
 namespace {
 
-// The bound of a table in double, worked out when it is first asked for and shared by the ways to store it.
+// The bound of a table in double, worked out at first use and shared by all storages.
 using SharedBound = std::function<MethodBound()>;
 SharedBound once(std::function<MethodBound()> work) {
   return [work = std::move(work), known = std::make_shared<std::optional<MethodBound>>()] {
@@ -49,7 +49,7 @@ struct TableCase {
     one.interpolant = mesh_exact ? "mesh_exact" : "smooth";
     one.storage = storage;
     one.in_float = storage == FloatValues::name;
-    // Steps of one size are an error without relative bound.
+    // Steps of equal size have no relative error bound.
     if (storage != Uint16Values::name) one.stability = one.name;
     one.make = [&mesh = mesh, layer = layer, precision = precision, fill] {
       return table_query(Table(fill(mesh, precision, layer)));

@@ -16,9 +16,9 @@ namespace impinge::lab {
 namespace {
 
 constexpr double kOnLine = 1e-9;    // of a grid step: a line that close to an edge counts as on it
-constexpr double kOffEntry = 4e-9;  // radians: delta of the header
+constexpr double kOffEntry = 4e-9;  // radians: delta of thesis_raster_bound()
 
-// The stretch of one grid row inside a triangle, in columns, with the distance at either end.
+// The part of one grid row inside a triangle, in columns, with the distance at either end.
 struct Span {
   double left = std::numeric_limits<double>::infinity();
   double right = -std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ struct Span {
   }
 };
 
-// Where the row phi = `phi` crosses the triangle.
+// Where the row `phi` crosses the triangle.
 Span row_span(const ChartTriangle& triangle, double phi, double spacing) {
   Span span;
   const double slack = kOnLine * spacing;
@@ -48,8 +48,8 @@ Span row_span(const ChartTriangle& triangle, double phi, double spacing) {
   return span;
 }
 
-// Keeps the distances of the span in the columns from `first` on, one for each entry. Written so that the
-// compiler does several columns at a time.
+// Keeps the distances of the span in the columns from `first` on, one per entry. Written so that the compiler
+// does several columns at a time.
 IMPINGE_VECTOR_CLONES
 void draw_columns(const Span& span, double first, Layer layer, double* entry, int count) {
   const double left = span.left;
@@ -87,7 +87,7 @@ void draw(const ChartTriangle& triangle, Layer layer, RadialTable<Rsid>& table) 
   }
 }
 
-// Extents of a drawn triangle, named as in the header.
+// Extents of a drawn triangle; names as at thesis_raster_bound().
 struct Extents {
   double dphi;
   double dtheta;
@@ -107,7 +107,7 @@ struct Extents {
   }
 };
 
-// E1 + E2 of the header.
+// E1 + E2 of thesis_raster_bound().
 double second_order_bound(const TriangleCone& cone, const Extents& t, double largest_slope) {
   const double length2 = t.dphi * t.dphi + t.s * t.s * t.dtheta * t.dtheta;
   const double bend = t.c * t.dtheta * std::sqrt(t.s * t.s * t.dtheta * t.dtheta + 4.0 * t.dphi * t.dphi);

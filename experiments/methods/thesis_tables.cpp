@@ -2,7 +2,7 @@
 // @can     points gaps
 // @links   gap gap_queries thesis_forms
 //
-// Methods rsid_thesis and usid_thesis: the tables of the thesis, filled as the thesis does, in double.
+// Methods rsid_thesis and usid_thesis: the thesis' tables, filled as in the thesis, in double.
 
 #include <utility>
 
@@ -15,8 +15,8 @@
 namespace impinge::lab {
 namespace {
 
-// One of the thesis' ways of filling. Its entries are off by at most `entry_bound` inside of a surface that
-// continues across each edge, and a look-up mixes them with weights that sum to 1.
+// A way of the thesis to fill a table. Where the surface continues across each edge its entries are off by at
+// most `entry_bound`; a look-up mixes them with weights that sum to 1.
 template <SamplingScheme S>
 PointCase thesis_case(const TriangleMesh& mesh, Layer layer, const TableBenchmark& bench, double precision,
                       RadialTable<S> (*fill)(const TriangleMesh&, const S&, Layer),
@@ -37,7 +37,7 @@ PointCase thesis_case(const TriangleMesh& mesh, Layer layer, const TableBenchmar
     if (!star_shape(mesh).star_shaped) return MethodBound{};
     MethodBound bound = bound_of(mesh, layer, exact_radii_of<S>(mesh, precision, layer), bench);
     bound.bound_mm += entry_bound();
-    bound.attained_mm = MethodBound{}.attained_mm;  // by an exact filling, not by this one
+    bound.attained_mm = MethodBound{}.attained_mm;  // from an exact filling, not from this one
     return bound;
   };
   return one;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kAngleMargin = 1e-9;  // radians, far above the rounding of an angle
 
-// The nearest or farthest radius met so far, and the face it belongs to.
+// The nearest or farthest radius met so far, and its face.
 struct Sampler {
   Sampler(std::size_t side, Layer layer)
       : table{side, std::vector<std::uint32_t>(side * side, kNoFace)},
@@ -34,7 +34,7 @@ struct Sampler {
   Layer which;
 };
 
-// Rays near a face: rows and columns, the columns perhaps across the seam.
+// Rays near a face: rows and columns; columns may cross the seam.
 struct RayRange {
   std::size_t top;
   std::size_t bottom;

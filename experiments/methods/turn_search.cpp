@@ -2,9 +2,9 @@
 // @can     turns
 // @links   limits
 //
-// Ours. turn_contact: the closed form alone (limits/turn_contact.hpp), which counts as touching what is
-// within 2e-12 of the radius, or so near that its steps give out. turn_limit: with the exact test of what it
-// finds (limits/turn_limit.hpp), the upper end of its bracket.
+// Our methods. turn_contact is the closed form alone (limits/turn_contact.hpp), which counts as touching what
+// is within 2e-12 of the radius, or so near that its steps give out. turn_limit also tests exactly what it
+// finds (limits/turn_limit.hpp); its answer is the upper end of its bracket.
 
 #include <memory>
 
@@ -18,7 +18,7 @@ namespace {
 
 using enum TurnQuery::Kind;
 
-// A point has a corner, an edge a side, and a face that a point comes to neither.
+// A point has a corner, an edge has a side, and a face that meets a point needs neither.
 TurnBody body_of(const TurnQuery& query, const TriangleMesh& of) {
   if (query.kind == mesh || query.kind == face_face) return TurnBody(of);
   const auto [a, b, c] = corners_of(of, of.faces.front());

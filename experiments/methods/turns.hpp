@@ -16,7 +16,7 @@
 
 namespace impinge::lab {
 
-/// What is asked for.
+/// A question about a turn.
 struct TurnQuery {
   enum class Kind { vertex_face, edge_edge, face_face, mesh };
   Kind kind = Kind::mesh;
@@ -26,28 +26,28 @@ struct TurnQuery {
   double largest = 0.0;  // radians, at most pi
 };
 
-/// The first angle, radians; none: they do not meet up to the largest.
+/// The first angle, radians; none if they do not meet up to the largest.
 struct TurnAnswer {
   std::optional<double> angle;
-  bool certain = true;  // else none is up to the angle, and what follows is not known
+  bool certain = true;  // else there is no contact up to the angle, and nothing is known beyond
 };
 using FindTurn = std::function<TurnAnswer()>;
 
-/// One setting, and how it comes to be.
+/// One setting of a method, and how it is prepared.
 struct TurnCase : Case {
-  std::vector<TurnQuery::Kind> kinds;                   // that it can be asked for
-  std::function<FindTurn(const TurnQuery&)> make = {};  // what is done once for both; the query outlives it
+  std::vector<TurnQuery::Kind> kinds;                   // kinds of queries that it can answer
+  std::function<FindTurn(const TurnQuery&)> make = {};  // done once for both; the query must outlive it
   bool takes(TurnQuery::Kind kind) const { return std::ranges::find(kinds, kind) != kinds.end(); }
 };
 
-/// The pose after so many radians.
+/// The pose after a turn by `angle` radians.
 inline Pose turned_pose(const TurnQuery& query, double angle) {
   Pose pose;
   pose.rotation = Eigen::AngleAxisd(angle, query.axis).toRotationMatrix();
   return pose;
 }
 
-/// Steps, radians, until a pose touches, then halvings of the last to 1e-7.
+/// Steps, radians, until a pose touches, then halves the last step to 1e-7.
 inline TurnAnswer stepped(const TurnQuery& query, const Touch& touches, double step) {
   constexpr double kResolution = 1e-7;
   if (touches(turned_pose(query, 0.0))) return {0.0};

@@ -10,9 +10,9 @@ namespace impinge::lab {
 namespace {
 
 constexpr double kMostBytes = 0x1p32;
-constexpr double kMostNumber = 0x1p20;  // of a voxel along an axis
+constexpr double kMostNumber = 0x1p20;  // largest number of a voxel along an axis
 
-// Does the axis keep the triangle, relative to the middle of the cube, apart from the cube of half side h?
+// Does this axis separate the triangle from a cube of half side h, given relative to the cube's middle?
 bool separates(const Vec3& axis, const Triangle& t, double half) {
   const std::array<double, 3> along{axis.dot(t[0]), axis.dot(t[1]), axis.dot(t[2])};
   const double reach = half * axis.lpNorm<1>();

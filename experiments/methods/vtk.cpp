@@ -2,9 +2,9 @@
 // @can     steps
 // @links   gap peer::vtk
 //
-// Method vtk_collide: VTK's filter of collisions, trees of oriented boxes on both surfaces, as a user of
-// VTK or 3D Slicer would ask for it: the first contact ends the search. It is made to show contacts: each
-// answer moves a copy of the surface, which is part of its time.
+// Method vtk_collide: VTK's collision filter, with trees of oriented boxes on both surfaces, as a user of VTK
+// or 3D Slicer would call it; the first contact ends the search. The filter is made to show contacts, so each
+// answer also moves a copy of the surface, which is part of its time.
 
 #include <memory>
 

@@ -18,29 +18,29 @@
 namespace impinge {
 namespace {
 
-// Mm.
+// mm
 constexpr double kHeadRadius = 16.0;
 constexpr double kNeckRadius = 6.0;   // radius
 constexpr double kNeckLength = 40.0;  // from the centre
-constexpr double kBendRadius = 30.0;  // radius of the way from the neck to the shaft
+constexpr double kBendRadius = 30.0;  // of the bend from the neck to the shaft
 constexpr double kShaftRadius = 8.0;  // radius where it begins
 constexpr double kTipRadius = 4.0;    // radius where it ends
 constexpr double kShaftLength = 130.0;
 constexpr double kClearance = 0.1;
 constexpr double kShell = 6.0;  // thickness of the cup
 
-// From the middle of the body outwards, `down` from the transverse plane and `forward` from the frontal one.
+// Unit vector away from the midline, `down` from the transverse plane and `forward` from the frontal plane.
 Vec3 outwards(double down, double forward) {
   return {std::cos(forward) * std::cos(down), std::sin(forward) * std::cos(down), -std::sin(down)};
 }
 
-// A place on the middle line of the stem, with the ring about it.
+// A place on the middle line of the stem, with its ring.
 struct Station {
   Vec3 centre, along;  // mm, unit vector
   double radius;       // mm
 };
 
-// The stem from the pole of the head on: rings at equal steps of each of its pieces.
+// The stem from the pole of the head: rings at equal steps on each of its pieces.
 class Stem {
  public:
   Station on_head(double share) const {
@@ -64,7 +64,7 @@ class Stem {
             std::lerp(kShaftRadius, kTipRadius, share)};
   }
 
-  // Across the plane of neck and shaft.
+  // Perpendicular to the plane of neck and shaft.
   Vec3 side() const { return neck_.cross(-Vec3::UnitZ()).normalized(); }
 
  private:
@@ -107,17 +107,17 @@ TriangleMesh make_cup(std::size_t sides) {
   return revolve({rings, -outwards(45.0 * kDegree, 20.0 * kDegree), Vec3::Zero(), sides});
 }
 
-constexpr double kFirst = 2e-4;   // radians, the first ring about a place of contact
-constexpr double kGrowth = 1.15;  // of the next one
+constexpr double kFirst = 2e-4;   // radians, from a place of contact to the first ring about it
+constexpr double kGrowth = 1.15;  // of each further ring
 constexpr double kCoarsest = 0.15;
 
 constexpr double kInner = 20.0;  // mm
 constexpr double kOuter = 26.0;
 
-// How far a face of a mesh inscribed in a sphere about `centre` is inside of it, mm, along directions from
-// the origin: the sagitta R - d, d the distance of the plane, over the cosine of the largest angle between a
-// direction and the sphere's normal, whose sine is |centre| / R, less the tilt of a face against the normal
-// at its corners.
+// How far inside a sphere about `centre` the faces of an inscribed mesh are, mm, along directions from the
+// origin: the sagitta R - d, d the distance of the plane, divided by the cosine of the largest angle between
+// a direction and the sphere's normal. The sine of that angle is |centre| / R; the tilt of a face against the
+// normal at its corners is subtracted from it.
 double depth_of_faces(const TriangleMesh& mesh, double radius, const Vec3& centre) {
   double depth = 0.0;
   for (const Face& face : mesh.faces) {
@@ -138,15 +138,15 @@ struct Spheres {
   double gap(const Vec3& u) const { return kOuter - eccentric_sphere_radius(u, kInner, centre); }
 };
 
-// The gap at the vertex of the ball next to where it is smallest. No face of the socket is beyond its sphere,
-// so that the smallest of all vertices is no larger.
+// The gap at the ball's vertex next to the place of the smallest gap. No face of the socket is beyond its
+// sphere, so the smallest gap of all vertices is at most this.
 double gap_at_nearest(const Spheres& spheres) {
   double least = HUGE_VAL;
   for (const Vec3& x : spheres.ball.vertices) least = std::min(least, spheres.gap(x.normalized()));
   return least;
 }
 
-// The largest error of the gaps of one scan, by tables.
+// The largest error of a scan's gaps by tables.
 double largest_error(const Spheres& spheres, const std::vector<Vec3>& vertices,
                      std::span<const double> gaps) {
   double largest = 0.0;

@@ -29,7 +29,7 @@ std::string axis_name(const Vec3& axis) {
   return "limit about an axis " + std::to_string(tilt) + " degrees off the rim, degrees";
 }
 
-// The limits of a joint about the axes of the questions.
+// Adds the limits of a joint about the axes of the questions.
 void add_limits(const std::string& phantom, const TurnLimits& limits,
                 const std::vector<AngleQuestion>& questions, std::vector<PhantomRow>& rows) {
   for (const AngleQuestion& question : questions) {
@@ -50,7 +50,7 @@ TriangleMesh cup_with_fine_rim(std::size_t sides) {
   return revolve({rings, Vec3::UnitZ(), Vec3::Zero(), sides});
 }
 
-// A head about the axis -z and a neck along it, through rings of these polar angles and radii, to an end cap.
+// A head, and a neck along -z through rings of these polar angles and radii, to an end cap.
 TriangleMesh head_and_neck(const std::vector<LatheRing>& neck, std::size_t sides) {
   std::vector<LatheRing> rings = sphere_rings(kHead, kPi - neck.front().polar, kStep);
   for (LatheRing ring : neck) {
@@ -61,7 +61,7 @@ TriangleMesh head_and_neck(const std::vector<LatheRing>& neck, std::size_t sides
   return revolve({rings, Vec3::UnitZ(), Vec3::Zero(), sides});
 }
 
-// Axes across the neck, and tilted towards it: the neck turns on a great circle, then on narrower ones.
+// Axes across the neck, and tilted towards it: the neck then turns on a great circle, or on narrower ones.
 std::array<Vec3, 3> axes() {
   const auto tilted = [](double degrees) {
     return Vec3(0.0, std::cos(degrees * kDegree), std::sin(degrees * kDegree));
@@ -69,7 +69,7 @@ std::array<Vec3, 3> axes() {
   return {tilted(0.0), tilted(20.0), tilted(35.0)};
 }
 
-// Of a neck that fills an angle about -z.
+// The questions of a neck that fills an angle about -z.
 std::vector<AngleQuestion> neck_questions(double angle) {
   const Vec3 down = -Vec3::UnitZ();
   std::vector<AngleQuestion> questions;
@@ -89,7 +89,7 @@ void add_necks(std::size_t sides, std::vector<PhantomRow>& rows) {
              neck_questions(std::asin(kCylinderRadius / kSocket)), rows);
 }
 
-// The bump of the generated pair, with rings about its top: next to the level of the socket they are close.
+// The bump of the generated pair; rings about its top are close together next to the level of the socket.
 void add_bump(std::size_t sides, std::vector<PhantomRow>& rows) {
   const PairShape shape = impinging_cam();
   const double half_width = shape.cam_half_width_deg * kDegree;

@@ -3,26 +3,11 @@
 /// Joints whose limits and gaps have a closed form, and what the library measures on meshes of them: a test
 /// of everything from a mesh to a bracket.
 ///
-/// Turning by t about a unit axis w brings a unit vector a to an angle D from a fixed unit vector s where
-///   (a.w)(s.w) + [a.s - (a.w)(s.w)] cos t + (w x a).s sin t = cos D       (spherical law of cosines)
-/// so that each limit below is one D:
-///   cone neck      a cone of half angle k about a, apex in the centre, against the rim of a cup that opens
-///                  by o about s (180 degrees less its half opening): D = o - k
-///   cylinder neck  of radius c about a, against a rim of radius R: the same with k = asin(c / R)
-///   cam bump       B(u) = R + h cos^2(pi/2 v / W), v the angle from its top a, against a cup of radius S and
-///                  half opening H about -s: it reaches S up to v = (2 W / pi) acos(root((S - R) / h)), and
-///                  the rim where angle(a, -s) = H + v
-/// Two spheres, the ball's of radius B about a point b that turns, the socket's of radius S about e, touch
-/// where
-///   |b(t) - e| = S - B,
-/// the same equation with cos D = (|b|^2 + |e|^2 - (S - B)^2) / (2 |b| |e|). Their gap along u is
-/// S(u) - B(u) with r(u) = p.u + root(R^2 - |p|^2 + (p.u)^2) for a sphere about p; with e = 0 its minimum is
-/// S - B - |b|.
-///
-/// A mesh differs from its smooth surface by a sagitta: rims and necks have many sides, the bump rings of
-/// vertices next to the level that touches, the spheres rings ever closer about the place of contact. The
-/// limits of the meshes are to be within kPhantomLimitError of the closed forms: a target, not proven. Gaps
-/// have a proven bound: the sagittas of both meshes, and for gaps by table the bound of the table as well.
+/// A mesh differs from its smooth surface by a sagitta. Rims and necks therefore have many sides, the bump
+/// has rings of vertices next to the level that touches, and the spheres have ever closer rings about the
+/// place of contact. The limits of the meshes must be within kPhantomLimitError of the closed forms, a target
+/// that is not proven. Gaps have a proven bound: the sagittas of both meshes and, by table, the table's
+/// bound.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +20,8 @@
 
 namespace impinge {
 
-/// At which t is the angle between s and a, turned about w, equal to D?
+/// At which t is the angle between s and a, turned by t about w, equal to D? By the spherical law of cosines
+///   (a.w)(s.w) + [a.s - (a.w)(s.w)] cos t + (w x a).s sin t = cos D.
 struct AngleQuestion {
   Vec3 turning;         // a, unit vector
   Vec3 fixed;           // s, unit vector
@@ -48,8 +34,8 @@ std::optional<double> first_turn_to(const AngleQuestion& question);  // least t 
 struct PhantomRow {
   std::string phantom;       // which joint
   std::string quantity;      // limit or gap, and about which axis
-  double closed_form = 0.0;  // what the equations above say
-  double measured = 0.0;     // what the library says of the meshes
+  double closed_form = 0.0;  // from the equations of the functions below
+  double measured = 0.0;     // the library's answer for the meshes
   double error = 0.0;        // of the measured value
   /// Largest allowed error: of a limit a chosen target, of a gap a proven bound.
   double allowed = 0.0;
@@ -64,20 +50,30 @@ struct PhantomSizes {
 };
 inline constexpr double kPhantomLimitError = 0.01;  // degrees
 
-/// Cone and cylinder neck, cam bump and eccentric spheres, about several axes each: limits by
-/// limits/turn_limit.hpp. What is allowed is kPhantomLimitError, whatever the sizes.
+/// Limits by limits/turn_limit.hpp, about several axes each; the allowed error is kPhantomLimitError,
+/// whatever the sizes. Each limit is an AngleQuestion:
+///   cone neck      a cone of half angle k about a, apex in the centre, against the rim of a cup that opens
+///                  by o about s (180 degrees less its half opening): D = o - k
+///   cylinder neck  of radius c about a, against a rim of radius R: D = o - asin(c / R)
+///   cam bump       B(u) = R + h cos^2(pi/2 v / W), v the angle from its top a, against a cup of radius S and
+///                  half opening H about -s: it reaches S up to v = (2 W / pi) acos(root((S - R) / h)), and
+///                  the rim where angle(a, -s) = H + v
+///   spheres        the ball's of radius B about a point b that turns, the socket's of radius S about e;
+///                  they touch where |b(t) - e| = S - B: cos D = (|b|^2 + |e|^2 - (S - B)^2) / (2 |b| |e|)
 std::vector<PhantomRow> phantom_limits(const PhantomSizes& sizes = {});
 
-/// Eccentric spheres: the smallest gap of a vertex by exact faces, and gaps by table at every vertex.
+/// Eccentric spheres: the smallest gap of a vertex by exact faces, and gaps by table at every vertex. The gap
+/// along u is S(u) - B(u) with r(u) = p.u + root(R^2 - |p|^2 + (p.u)^2) for a sphere about p; if e = 0 its
+/// minimum is S - B - |b|.
 std::vector<PhantomRow> phantom_gaps(const PhantomSizes& sizes = {});
 
 // A replaced hip: a head of 32 mm on a stem, in a cup.
 
-/// Mm, the joint frame of a right hip, the centre of the head as origin. The stem: the head with a neck of
-/// 12 mm, 45 degrees to the shaft and 10 of anteversion, and a shaft that narrows to its end, 180 mm below.
-/// The cup: a shell round a hemisphere 0.1 mm beyond the head, open at 45 degrees of inclination and 20 of
-/// anteversion. Both are closed, with outward normals, and have about half of the faces. The clearance asks
-/// for 10,000 faces or more.
+/// The joint frame of a right hip, mm, with the centre of the head as origin. The stem has the head, a neck
+/// of 12 mm at 45 degrees to the shaft with 10 degrees of anteversion, and a shaft that narrows to its end
+/// 180 mm below. The cup is a shell round a hemisphere 0.1 mm beyond the head, open at 45 degrees of
+/// inclination and 20 of anteversion. Each is closed, with outward normals, and has about half of the faces.
+/// So small a clearance needs 10,000 faces or more.
 BallSocketPair make_implant(std::size_t faces);
 
 // Bodies of revolution for the phantoms: rings of vertices about an axis.

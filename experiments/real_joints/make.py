@@ -26,11 +26,11 @@ Mesh = tuple[np.ndarray, np.ndarray]  # vertices, mm, and triangles
 
 
 class Refused(Exception):
-    """Which file, why, and what to do."""
+    """A refusal: which file, why, and what to do."""
 
 
 def original(source: dict, folder: Path, download: bool) -> Path:
-    """A published file, with the bytes that joints.json vouches for."""
+    """The path of a published file; it must have the bytes that joints.json vouches for."""
     path = folder / source["repository"] / source["path"]
     if not path.is_file():
         url = URL.format(**source)
@@ -49,7 +49,7 @@ def original(source: dict, folder: Path, download: bool) -> Path:
 
 
 def read(path: Path, bone: str | None) -> Mesh:
-    """STL or VTP; of a MAT file the named bone."""
+    """Reads STL or VTP, or the named bone of a MAT file."""
     if path.suffix == ".mat":
         from scipy.io import loadmat
 
@@ -64,12 +64,12 @@ def read(path: Path, bone: str | None) -> Mesh:
 
 
 def arrays(data: vtk.vtkPolyData) -> Mesh:
-    """Of VTK's mesh."""
+    """The arrays of VTK's mesh."""
     return vtk_to_numpy(data.GetPoints().GetData()).astype(float), vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 
 
 def welded(mesh: Mesh) -> Mesh:
-    """Vertices that are equal in single precision are one; faces that this makes empty go, and vertices of none."""
+    """Joins vertices that are equal in single precision; removes faces that become empty and vertices without faces."""
     vertices, faces = mesh
     vertices, index = np.unique(vertices.astype(np.float32), axis=0, return_inverse=True)
     return compact((vertices, index.reshape(-1)[faces]))
@@ -99,7 +99,7 @@ def facing(mesh: Mesh, centre: np.ndarray) -> Mesh:
 
 
 def pieces(faces: np.ndarray) -> np.ndarray:
-    """The number of the piece of each face, where a common vertex joins."""
+    """For each face the number of its piece; faces with a common vertex are in one piece."""
     piece = np.arange(faces.max() + 1)
     while True:
         before = piece.copy()
@@ -110,7 +110,7 @@ def pieces(faces: np.ndarray) -> np.ndarray:
 
 
 def reduced(mesh: Mesh, most: int) -> Mesh:
-    """With so many faces, by quadrics of the error."""
+    """The mesh with so many faces, by quadric error metrics."""
     data = vtk.vtkPolyData()
     points = vtk.vtkPoints()
     points.SetData(numpy_to_vtk(mesh[0], deep=True))
@@ -126,7 +126,7 @@ def reduced(mesh: Mesh, most: int) -> Mesh:
 
 
 def write(path: Path, mesh: Mesh) -> None:
-    """Binary PLY in millimetres."""
+    """Writes binary PLY in millimetres."""
     vertices, faces = mesh
     head = (
         "ply\nformat binary_little_endian 1.0\ncomment units mm\n"
@@ -139,7 +139,7 @@ def write(path: Path, mesh: Mesh) -> None:
 
 
 def meshes(joint: dict, originals: Path, download: bool) -> dict[str, Mesh]:
-    """By the name of the file."""
+    """The meshes of a joint, by file name."""
     centre = np.array(joint["center_of_rotation_mm"])
     reach = joint["factor"] * joint["radius_mm"] if joint["factor"] else np.inf
     found = {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a table is from smooth functions, looked up with the scheme's own stencil.
+// The error of tables that sample smooth functions, looked up with the scheme's own stencil.
 #pragma once
 
 #include <cmath>
@@ -13,28 +13,28 @@
 
 namespace impinge {
 
-// Smooth random functions on the sphere with a known finest detail, to measure interpolation with.
+// Smooth random functions on the sphere with a known finest detail, on which interpolation is measured.
 
-/// Which functions are drawn.
+/// The choice of functions.
 struct BandLimitedChoice {
-  double wavenumber = 30.0;  // phase a unit of length, radians: the finest detail is 2 pi / 30 = 12 degrees
-  std::size_t waves = 16;    // of each function
+  double wavenumber =
+      30.0;                // radians of phase per unit of length: the finest detail is 2 pi / 30 = 12 degrees
+  std::size_t waves = 16;  // of each function
   std::size_t functions = 512;  // in all
   std::uint64_t seed = 0;       // of directions and phases
 };
 
-/// Independent functions, each a sum of plane waves in random directions n_m with random phases p_m, as they
-/// are met on the unit sphere:
-///   f(u) = sqrt(2 / M) sum cos(k n_m . u + p_m),
-/// of mean 0 and variance 1 over all choices of the waves, and without preferred direction. Harmonics of
-/// degree l weigh as spherical Bessel functions j_l(k), which vanish fast beyond l = k. There are many
-/// functions because the sharpest peak of a single one would settle the largest errors.
+/// Independent functions on the unit sphere, each a sum of plane waves of random directions n_m, phases p_m:
+///   f(u) = sqrt(2 / M) sum cos(k n_m . u + p_m).
+/// Over all choices of the waves they have mean 0, variance 1 and no preferred direction. Harmonics of degree
+/// l have spherical Bessel functions j_l(k) as weights, which vanish fast beyond l = k. Many functions are
+/// used, because the sharpest peak of a single one would determine the largest errors.
 class BandLimited {
  public:
-  /// Throws std::invalid_argument for no wave, no function or an infinite wavenumber.
+  /// Throws std::invalid_argument for no wave, no function, or an infinite wavenumber.
   explicit BandLimited(const BandLimitedChoice& choice);
 
-  std::size_t functions() const { return waves_.size() / count_; }  // how many there are
+  std::size_t functions() const { return waves_.size() / count_; }  // their number
 
   /// Value of a function at a unit vector.
   double value(std::size_t function, const Vec3& u) const;
@@ -50,12 +50,11 @@ class BandLimited {
   double amplitude_;
 };
 
-/// Directions, each with the function that is looked up there and its value: made once, used for every
-/// scheme.
+/// Directions, each with a function that is looked up there and its value. Made once for all schemes.
 struct ErrorProbe {
   ErrorProbe(BandLimited functions, std::vector<Vec3> directions);  // works out the true values
 
-  /// The function that direction i looks up: each in its turn.
+  /// The function that direction i looks up; they take turns.
   std::size_t function_at(std::size_t i) const { return i % functions.functions(); }
 
   BandLimited functions;         // that tables are filled with
@@ -63,20 +62,20 @@ struct ErrorProbe {
   std::vector<double> truth;     // of each direction's function there
 };
 
-/// In units of the standard deviation of the functions. p9999 is exceeded in 1 of 10,000 directions: the
-/// largest value of a random sample varies too much to compare schemes by.
+/// In units of the functions' standard deviation. p9999 is exceeded in 1 of 10,000 directions; the largest
+/// value of a random sample varies too much for a comparison of schemes.
 struct InterpolationError {
-  double max = 0.0;    // largest in size
+  double max = 0.0;    // largest absolute error
   double p9999 = 0.0;  // see above
   double rms = 0.0;    // root mean square
 };
 
-/// Of errors of either sign; p9999 is the nearest rank, a value of the sample. Throws std::invalid_argument
-/// for no error and std::runtime_error for one that is not finite.
+/// The summary of errors of either sign; p9999 is the nearest rank, a value of the sample. Throws
+/// std::invalid_argument without errors, std::runtime_error for one that is not finite.
 InterpolationError summarise_errors(std::vector<double> errors);
 
-/// Errors, in the directions of the probe, of tables of the scheme, one of each function. Only entries that a
-/// stencil reads are worked out.
+/// The errors, in the directions of the probe, of tables of the scheme, one for each function. Only entries
+/// that a stencil reads are worked out.
 template <SamplingScheme S>
 InterpolationError interpolation_error(const S& scheme, const ErrorProbe& probe) {
   std::vector<double> errors;

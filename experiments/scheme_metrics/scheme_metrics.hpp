@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a sampling scheme is worth, measured: none of these numbers is taken from the scheme's own
-// declarations.
+// Measures how good a sampling scheme is; no number is taken from the scheme's own declarations.
 #pragma once
 
 #include <algorithm>
@@ -21,25 +20,25 @@ namespace impinge {
 /// A gap with |z| above this counts as one at a pole: within 11.5 degrees of it.
 inline constexpr double kAwayFromPoles = 0.98;
 
-/// N rho^2 of the densest covering of the plane by circles, one on each corner of equilateral triangles
-/// (Kershner 1939): no scheme of many entries is below 8 pi / (3 sqrt(3)) = 4.8368.
+/// N rho^2 of the densest covering of the plane by circles, centred on a lattice of equilateral triangles
+/// (Kershner 1939). No scheme of many entries is below 8 pi / (3 sqrt(3)) = 4.8368.
 inline constexpr double kLeastCoveringConstant = 8.0 * kPi / (3.0 * 1.7320508075688772);
 
 /// The measures of one scheme. Areas are solid angles, steradians.
 struct SchemeMetrics {
-  std::size_t entries = 0;     // of the table, those that repeat a direction counted
-  std::size_t directions = 0;  // that differ
+  std::size_t entries = 0;     // number of entries, with those that repeat a direction
+  std::size_t directions = 0;  // number of different directions
   EmptyCircle widest;          // its radius is the covering radius, radians
-  EmptyCircle widest_away;     // of those with |z| <= kAwayFromPoles
-  /// Largest over smallest area, where entries of one direction share its area: the waste of repeating them
-  /// shows.
+  EmptyCircle widest_away;     // the widest gap with |z| <= kAwayFromPoles
+  /// Largest area divided by the smallest. Entries of one direction share its area, so that repeated entries
+  /// show as waste.
   double entry_area_ratio = 0.0;
-  double direction_area_ratio = 0.0;  // the same without sharing
+  double direction_area_ratio = 0.0;  // this ratio without sharing
 
-  /// N rho^2. A bound on the error of linear interpolation is M rho^2 / 2, M the largest second derivative,
-  /// so that the memory for a given bound is in proportion to it.
+  /// N rho^2. Linear interpolation errs by at most M rho^2 / 2, M the largest second derivative, so the
+  /// memory for a given bound is proportional to it.
   double covering_constant() const { return static_cast<double>(entries) * widest.radius * widest.radius; }
-  /// The same of the gap away from the poles.
+  /// N rho^2 with the widest gap away from the poles.
   double covering_constant_away() const {
     return static_cast<double>(entries) * widest_away.radius * widest_away.radius;
   }
@@ -54,13 +53,13 @@ std::vector<Vec3> all_directions(const S& scheme) {
   return directions;
 }
 
-/// Of all entries of the scheme.
+/// The triangulation of all entries of the scheme.
 template <SamplingScheme S>
 SphereDelaunay sphere_delaunay_of(const S& scheme) {
   return sphere_delaunay(all_directions(scheme));
 }
 
-/// From the Delaunay triangulation of all entries.
+/// Measured on the Delaunay triangulation of all entries.
 template <SamplingScheme S>
 SchemeMetrics measure_scheme(const S& scheme) {
   const SphereDelaunay delaunay = sphere_delaunay_of(scheme);
@@ -73,7 +72,7 @@ SchemeMetrics measure_scheme(const S& scheme) {
           most / least,         largest / smallest};
 }
 
-// How many entries a scheme needs to be as good as a reference table, in several meanings of "as good".
+// The number of entries that a scheme needs to be as good as a reference table, in several meanings.
 
 /// Radius of the widest gap between entries, radians.
 template <SamplingScheme S>
@@ -85,20 +84,19 @@ double measured_covering_radius(const S& scheme) {
 inline constexpr std::size_t kMostMeasured = 1'000'000;
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();  // a ratio that was not measured
 
-/// A table that is as good as the reference in one meaning. measured_ratio is kUnknown if it was not
-/// measured.
+/// A table that is as good as the reference in one meaning. measured_ratio is kUnknown if it is not measured.
 struct Saving {
-  std::string_view meaning;          // name of what is equal, in tables of results
+  std::string_view meaning;          // name in results
   std::size_t entries = 0;           // of that table
-  double measured_ratio = kUnknown;  // of what is to be equal, over that of the reference
+  double measured_ratio = kUnknown;  // the compared quantity, divided by the reference's
 };
 
-/// What fewer entries save, in percent of the reference; less than 0 for more.
+/// Percentage of the reference's entries that are saved; negative for more entries.
 inline double saved_percent(std::size_t entries, std::size_t reference_entries) {
   return 100.0 * (1.0 - static_cast<double>(entries) / static_cast<double>(reference_entries));
 }
 
-/// Entries at equal distances on the equator, the thesis' meaning: what with_precision gives.
+/// Equal distances of entries on the equator, the thesis' meaning; this is what with_precision gives.
 template <SamplingScheme S>
 std::optional<Saving> saving_at_equal_spacing(double precision_deg) {
   const auto scheme = scheme_of_precision<S>(precision_deg);
@@ -106,12 +104,12 @@ std::optional<Saving> saving_at_equal_spacing(double precision_deg) {
   return Saving{"equator_spacing", scheme->size(), scheme->precision_deg() / precision_deg};
 }
 
-/// Equally wide gaps, with which the bound on errors grows: the smallest table that leaves none wider.
-/// Declared radii lead to about its size, from any scheme `near`; there the search begins. Beyond
-/// kMostMeasured entries no table is measured: the size is the one at which the declared radius is as large.
+/// Equally wide gaps, with which the error bound grows: the smallest table that has no wider gap. The search
+/// begins near the size that the declared radii give, from any scheme `near`. Above kMostMeasured entries no
+/// table is measured, and the size is the one with the same declared radius.
 template <SamplingScheme S>
 std::optional<Saving> saving_at_equal_gap(S near, double covering_radius) {
-  // Where gaps next to the poles differ from the rest N rho^2 is not quite constant: a few rounds find the
+  // If gaps next to the poles differ from the rest, N rho^2 is not quite constant; a few rounds find the
   // size.
   constexpr int kRounds = 5;
   for (int round = 0; round < kRounds; ++round) {
@@ -126,8 +124,8 @@ std::optional<Saving> saving_at_equal_gap(S near, double covering_radius) {
 }
 
 /// Equal errors of interpolating the functions of the probe. An error falls with the number of entries, so
-/// that of one table tells the size of the next, twice. There is no search: among many tables it would find
-/// one whose few largest errors are small by luck.
+/// the error of one table gives the size of the next; this is done twice. A search among many tables would
+/// find one whose few largest errors are small by luck.
 template <SamplingScheme S>
 std::vector<Saving> savings_at_equal_error(const S& near, const InterpolationError& target,
                                            const ErrorProbe& probe) {

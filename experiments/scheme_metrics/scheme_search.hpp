@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Schemes by their number of entries. A scheme is made from a precision, which some round and some take in
-// certain steps only; so precisions round the wanted one are tried.
+// Finds schemes by their number of entries. A scheme is made from a precision, which some schemes round and
+// some take in certain steps only, so precisions near the wanted one are tried.
 #pragma once
 
 #include <algorithm>
@@ -33,15 +33,14 @@ inline std::vector<double> precisions_near(double degrees) {
   return precisions;
 }
 
-/// The schemes of those precisions, made when they are asked for: some take long to make. Sizes rise with the
-/// place.
+/// The schemes of these precisions, made when asked for, since some take long. Sizes grow with the index.
 template <SamplingScheme S>
 class SizeLevels {
  public:
-  /// Schemes of about so many entries; empty where no precision makes one.
+  /// Schemes of about so many entries; empty if no precision makes one.
   explicit SizeLevels(std::size_t entries);
 
-  /// The first scheme with at least so many entries, or nothing.
+  /// The first scheme with at least so many entries, or none.
   std::optional<S> first_of(std::size_t entries) {
     std::size_t low = 0;
     std::size_t high = precisions_.size();
@@ -60,14 +59,14 @@ class SizeLevels {
     return place_ < precisions_.size() ? made_ : std::nullopt;
   }
 
-  /// The next scheme after the one handed out last that has more entries than `than`, or nothing.
+  /// The next scheme, after the last one returned, with more entries than `than`; or none.
   std::optional<S> larger(std::size_t than) {
     while (++place_ < precisions_.size()) {
       if (make(place_) && made_->size() > than) return made_;
     }
     return std::nullopt;
   }
-  /// The next before it that has fewer, or nothing.
+  /// The next scheme before it with fewer entries, or none.
   std::optional<S> smaller(std::size_t than) {
     while (place_ > 0) {
       if (make(--place_) && made_->size() < than) return made_;
@@ -103,7 +102,7 @@ SizeLevels<S>::SizeLevels(std::size_t entries) {
   precisions_ = precisions_near(degrees);
 }
 
-/// The scheme whose number of entries is nearest, the smaller of two as near; nothing where there is none.
+/// The scheme with the nearest number of entries, of two equally near the smaller; none if there is none.
 template <SamplingScheme S>
 std::optional<S> scheme_nearest_size(std::size_t entries) {
   SizeLevels<S> levels(entries);
@@ -113,7 +112,7 @@ std::optional<S> scheme_nearest_size(std::size_t entries) {
   return above->size() - entries < entries - below->size() ? above : below;
 }
 
-/// The same, but std::runtime_error where there is none.
+/// The scheme of scheme_nearest_size(). Throws std::runtime_error if there is none.
 template <SamplingScheme S>
 S scheme_of_size(std::size_t entries) {
   if (const auto scheme = scheme_nearest_size<S>(entries)) return *scheme;
@@ -124,13 +123,13 @@ S scheme_of_size(std::size_t entries) {
 /// A scheme and what was measured on it.
 template <SamplingScheme S>
 struct MeasuredScheme {
-  S scheme;         // that was measured
+  S scheme;         // the scheme that was measured
   double measured;  // in the unit of the measure
 };
 
 /// The smallest scheme of about `estimate` entries for which measure(scheme), which falls with the entries,
-/// is at most `target`; each that is considered is really measured. Nothing where none is within 8 % of the
-/// estimate.
+/// is at most `target`. Each scheme that is considered is measured. None if no such scheme is within 8 % of
+/// the estimate.
 template <SamplingScheme S, class Measure>
 std::optional<MeasuredScheme<S>> smallest_within(double target, std::size_t estimate, Measure&& measure) {
   SizeLevels<S> levels(estimate);

@@ -23,14 +23,14 @@
 namespace impinge {
 namespace {
 
-// Area of a spherical triangle, negative when clockwise: tan(area / 2) = det / (1 + ab + bc + ca), Van
-// Oosterom and Strackee 1983. The determinant of differences keeps the digits of small triangles.
+// Area of a spherical triangle, negative if clockwise: tan(area / 2) = det / (1 + ab + bc + ca) (Van Oosterom
+// and Strackee 1983). The determinant of differences keeps the digits of small triangles.
 double signed_area(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double determinant = a.dot((b - a).cross(c - a));
   return 2.0 * std::atan2(determinant, 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
 }
 
-// The corners are counter-clockwise, so that the normal points to the centre outside.
+// The corners are counter-clockwise, so the normal points to the centre on the outside.
 EmptyCircle circle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 centre = (b - a).cross(c - a).normalized();
   return {centre, angle_between(centre, a)};
@@ -43,7 +43,7 @@ using FaceOfSphere = CGAL::Triangulation_on_sphere_face_base_2<Traits>;
 using Structure = CGAL::Triangulation_data_structure_2<Vertex, FaceOfSphere>;
 using Delaunay = CGAL::Delaunay_triangulation_on_sphere_2<Traits, Structure>;
 
-// Along a space-filling curve, so that each insertion begins next to the last.
+// In the order of a space-filling curve, so that each insertion begins next to the last.
 std::vector<std::size_t> insertion_order(const std::vector<Kernel::Point_3>& points) {
   using Map = CGAL::Pointer_property_map<Kernel::Point_3>::const_type;
   std::vector<std::size_t> order(points.size());
@@ -71,8 +71,8 @@ void insert_all(Delaunay& triangulation, std::span<const Vec3> directions) {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-// Places of the entries in the order of their heights along an axis that is askew to every grid, so that few
-// have the same height.
+// Indices of the entries in the order of their heights along an axis. The axis is oblique to every grid, so
+// few have the same height.
 std::vector<std::size_t> order_along(const std::vector<double>& height) {
   std::vector<std::size_t> order(height.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -102,8 +102,8 @@ EmptyCircle widest_gap(const SphereDelaunay& delaunay, double z_max) {
   return widest;
 }
 
-// Each triangle gives to each corner the part that is nearest to it, between the corner, the middles of both
-// sides and the centre. Where the centre is outside some parts are negative and make up for it next door.
+// Each triangle gives each of its corners the part nearest to it, between the corner, the middles of both
+// sides and the centre. If the centre is outside, some parts are negative, which the neighbour makes up for.
 std::vector<double> voronoi_areas(const SphereDelaunay& delaunay) {
   const std::vector<Vec3>& u = delaunay.distinct.direction;
   std::vector<double> areas(u.size(), 0.0);
@@ -143,7 +143,7 @@ std::vector<SphereTriangle> delaunay_triangles(std::span<const Vec3> directions)
   for (auto face = triangulation.solid_faces_begin(); face != triangulation.solid_faces_end(); ++face) {
     triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
   }
-  // Euler: a triangulation without this many triangles leaves a part of the sphere open.
+  // By Euler's formula a triangulation with another number of triangles leaves a part of the sphere open.
   if (triangulation.dimension() != 2 || triangles.size() != 2 * directions.size() - 4) {
     throw std::invalid_argument(
         "the directions all lie in one hemisphere: a triangulation needs some all round");
@@ -152,7 +152,7 @@ std::vector<SphereTriangle> delaunay_triangles(std::span<const Vec3> directions)
 }
 
 DistinctDirections distinct_directions(std::span<const Vec3> entries) {
-  for (const Vec3& u : entries) {  // before the sort, which a NaN would lead astray
+  for (const Vec3& u : entries) {  // before the sort, which NaN would break
     if (!u.allFinite() || u.isZero(0.0))
       throw std::invalid_argument("a direction is a finite vector that is not zero");
   }
@@ -174,7 +174,7 @@ DistinctDirections distinct_directions(std::span<const Vec3> entries) {
 
   DistinctDirections distinct;
   distinct.of_entry.reserve(entries.size());
-  std::vector<std::size_t> place(entries.size(), kNone);  // of a leader's direction
+  std::vector<std::size_t> place(entries.size(), kNone);  // index of a leader's direction
   for (std::size_t entry = 0; entry < entries.size(); ++entry) {
     std::size_t& at = place[leader[entry]];
     if (at == kNone) {

@@ -20,11 +20,11 @@ namespace {
 
 struct Node {
   double z = 0.0;
-  double weight = 0.0;  // of an integral over [-1, 1]
+  double weight = 0.0;  // weight in an integral over [-1, 1]
 };
 
-// One step of Newton's method towards the nearest root of the Legendre polynomial of degree n, and the weight
-// there: GSL gives nodes beyond its tables to 1e-10 only.
+// One Newton step towards the nearest root of the Legendre polynomial of degree n, and the weight there. GSL
+// gives nodes beyond its tables only to 1e-10.
 Node polished(double z, std::size_t n) {
   double before = 1.0;
   double here = z;
@@ -39,7 +39,7 @@ Node polished(double z, std::size_t n) {
   return {z - here / slope, 2.0 / (span * slope * slope)};
 }
 
-// Tries every direction of the grid in the box.
+// Visits every direction of the grid in the box.
 template <class Visit>
 void for_each_in_box(const GaussGrid& grid, const AngularBox& box, const Visit& visit) {
   const auto columns = static_cast<long>(grid.columns());
@@ -64,8 +64,8 @@ double border(const GaussGrid& grid, std::size_t row) {
   return 0.5 * (grid.phi(row - 1) + grid.phi(row));
 }
 
-// A border of two cells lets through its length divided by the distance of their middles, times the
-// difference of their values.
+// The flow through the border of two cells is the difference of their values times the length of the border,
+// divided by the distance of their middles.
 void add_border(Triplets& terms, std::size_t a, std::size_t b, double conductance) {
   const auto i = static_cast<Eigen::Index>(a);
   const auto j = static_cast<Eigen::Index>(b);
@@ -95,7 +95,7 @@ Matrix stiffness(const GaussGrid& grid) {
   return matrix;
 }
 
-// The energy v' E v that a filling makes least.
+// The energy v' E v that a filling minimises.
 Matrix energy(const GaussGrid& grid, Filling filling) {
   Matrix laplacian = stiffness(grid);
   if (filling == Filling::membrane) return laplacian;
@@ -119,7 +119,7 @@ GaussGrid::GaussGrid(std::size_t band_limit) {
   phi_.resize(band_limit);
   weight_.resize(band_limit);
   for (std::size_t i = 0; i < band_limit; ++i) {
-    // GSL counts from -1 upwards; the grid goes down from the pole at +1.
+    // GSL counts upwards from -1; the grid goes down from the pole at +1.
     const std::size_t row = band_limit - 1 - i;
     double z = 0.0;
     double weight = 0.0;

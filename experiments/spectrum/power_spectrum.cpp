@@ -15,7 +15,7 @@
 namespace impinge {
 namespace {
 
-// Fourier transforms of real rows of one length.
+// Fourier transforms of real rows of the same length.
 class RowTransform {
  public:
   explicit RowTransform(std::size_t length)
@@ -40,7 +40,7 @@ class RowTransform {
   std::unique_ptr<gsl_fft_real_workspace, decltype(&gsl_fft_real_workspace_free)> space_;
 };
 
-// The factors of Y_lm that depend on z, in the order of HarmonicCoefficients (which is GSL's own).
+// The factors of Y_lm that depend on z, in the order of HarmonicCoefficients, which is GSL's own.
 class Legendre {
  public:
   explicit Legendre(std::size_t band_limit)
@@ -116,7 +116,7 @@ std::size_t band_limit_of_gap(double gap) {
   if (!(gap > 0.0 && gap <= 2.0 * kPi)) {
     throw std::invalid_argument("entries on a circle are more than 0 and at most 2 pi radians apart");
   }
-  constexpr double rounding = 1e-9;  // 2 pi / (pi / 5.5) is meant to be 11
+  constexpr double rounding = 1e-9;  // 2 pi / (pi / 5.5) must give 11
   return static_cast<std::size_t>((2.0 * kPi / gap * (1.0 + rounding) + 1.0) / 2.0);
 }
 

@@ -14,8 +14,8 @@ void keep_larger(double& largest, double value) {
   if (value > largest || largest != largest) largest = value;
 }
 
-// How near the error is to its bound.
-// An infinite bound, and one with no look-up to hold it against, are worse than any that holds.
+// The error as a share of its bound.
+// An infinite bound, or one that no look-up tests, is worse than any that holds.
 double share_of_bound(const StabilityCase& c) {
   if (!std::isnan(c.bound_um) && !c.bound_holds()) return 1.0;
   return c.bound_um > 0.0 ? c.error_um / c.bound_um : c.error_um > 0.0 ? 1e300 : 0.0;
@@ -61,7 +61,7 @@ std::vector<Cell> row_of(const StabilityFamily& family, const StabilityCase& c, 
   return row;
 }
 
-// A refused case has no counts: empty, not 0.
+// A refused case has no counts: its cells are empty, not 0.
 Cell count(const StabilityCase& c, std::size_t number) { return c.refused.empty() ? Cell(number) : Cell(); }
 
 Cell flag(const std::optional<bool>& value) { return value ? Cell(*value) : Cell(); }
@@ -78,7 +78,7 @@ void add_case(const StabilityFamily& family, const StabilityCase& c, StabilityTa
               c.kind == "mutated" ? kNotMeasured : c.bound_um}));
 }
 
-// Largest error over condition and unit roundoff; NaN without a case.
+// Largest error over condition and unit roundoff; NaN without cases.
 double worst_of_ours(const std::vector<StabilityCase>& cases, Scalar scalar) {
   double worst = kNotMeasured;
   for (const StabilityCase& c : cases)
@@ -86,7 +86,7 @@ double worst_of_ours(const std::vector<StabilityCase>& cases, Scalar scalar) {
   return worst;
 }
 
-// Of cases that are wrong on purpose.
+// Failures of cases that are wrong on purpose.
 std::size_t noticed(const std::vector<StabilityCase>& cases) {
   return static_cast<std::size_t>(std::ranges::count_if(cases, [](const StabilityCase& c) {
     return c.kind == "mutated" && (c.failures() > 0 || !c.bound_holds().value_or(true));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bones of turns whose first contact is known. They are made about +z and turned to x or y without
+// The bones of turns with a known first contact. They are made about +z and turned to x or y without
 // rounding, by exchanging coordinates.
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ Vec3 exchanged(const Vec3& x, std::size_t k) {
   return k % 3 == 1 ? Vec3(x.z(), x.x(), x.y()) : Vec3(x.y(), x.z(), x.x());
 }
 
-// A convex body, each face wound so that it is seen from outside.
+// A convex body; each face is wound as seen from outside.
 TriangleMesh convex(std::vector<Vec3> corners, std::vector<Face> faces) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& x : corners) middle += x / static_cast<double>(corners.size());
@@ -36,7 +36,7 @@ TriangleMesh tetrahedron(const Vec3& tip, const Vec3& a, const Vec3& b, const Ve
   return convex({tip, a, b, c}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 2, 3}});
 }
 
-// Between two triangles, the first corner of each an end of the ridge.
+// The prism between two triangles; the first corners of both are the ends of the ridge.
 TriangleMesh prism(const std::array<Vec3, 3>& low, const std::array<Vec3, 3>& high) {
   return convex({low[0], low[1], low[2], high[0], high[1], high[2]},
                 {{0, 1, 2}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}});
@@ -61,7 +61,7 @@ TriangleMesh slab(const Vec3& low, const Vec3& high) {
                                      {1, 7, 5}});
 }
 
-// The ball begins `start` before the place where it is made, and turns forward.
+// The ball starts `start` before the place where it is made, and turns forward.
 KnownTurn about(std::size_t k, BallSocketPair bones, double start) {
   KnownTurn known;
   for (TriangleMesh* mesh : {&bones.ball, &bones.socket})
@@ -74,7 +74,7 @@ KnownTurn about(std::size_t k, BallSocketPair bones, double start) {
 
 double number(std::size_t k) { return static_cast<double>(k); }
 double radius(std::size_t k) { return 30.0 + 0.37 * number(k); }  // mm
-// radians; spread over 23 degrees, and over steps of a tenth of one
+// radians; spread over 23 degrees, and within steps of a tenth of a degree
 double spread(std::size_t k) { return std::fmod(1.137 * number(k), 23.0) * kDegree; }
 double begin(std::size_t k) { return 25.31 * kDegree + spread(k); }
 
@@ -89,7 +89,7 @@ KnownTurn passing_behind(std::size_t k, double distance_mm) {
              tetrahedron({c, 0.0, 0.0}, {c - 5.0, 2.0, -2.0}, {c - 5.0, -2.0, -2.0}, {c - 5.0, 0.0, 3.0})},
             begin(k));
   known.deepest = begin(k);
-  known.depth_mm = c - x;  // to the digits that the slab has
+  known.depth_mm = c - x;  // with all digits of the slab
   return known;
 }
 
@@ -102,7 +102,7 @@ KnownTurn grazing_ridges(std::size_t k, double depth_mm) {
                            prism({Vec3(x, -6.0, 0.0), Vec3(x + 5.0, -6.0, 2.0), Vec3(x + 5.0, -6.0, -2.0)},
                                  {Vec3(x, 6.0, 0.0), Vec3(x + 5.0, 6.0, 2.0), Vec3(x + 5.0, 6.0, -2.0)})},
                           begin(k));
-  // The ridge at c cos(angle) comes to x.
+  // The ridge at c cos(angle) reaches x.
   const double before = acos(Precise(x) / Precise(c)).convert_to<double>();
   known.contact = begin(k) - before;
   known.rate = c * std::sin(before);
@@ -122,7 +122,7 @@ KnownTurn meeting_ridges(std::size_t k, double between) {
              prism({Vec3(c, 0.0, -6.0), Vec3(c - 2.0, 4.0, -6.0), Vec3(c + 2.0, 4.0, -6.0)},
                    {Vec3(c, 0.0, 6.0), Vec3(c - 2.0, 4.0, 6.0), Vec3(c + 2.0, 4.0, 6.0)})},
             begin(k));
-  // The ball is on one side of the plane y = 0 until then, and the socket on the other one.
+  // Until then the ball is on one side of the plane y = 0, and the socket on the other.
   known.contact = begin(k);
   known.rate = c;
   known.deepest = begin(k) + 0.01;
@@ -134,7 +134,7 @@ KnownTurn tip_beside_opening(std::size_t k, double beside_mm) {
   const double scale = 1.0 + 0.1 * number(k);
   const double r = 25.0 * scale;
   const double y = 15.0 * scale;
-  const bool ahead = k % 2 == 0;  // the tip goes on into the opening, or on across the sheet
+  const bool ahead = k % 2 == 0;  // does the tip move on into the opening, or on across the sheet?
   const double first = ahead ? 20.0 * scale - beside_mm : 8.0 * scale;
   const double last = ahead ? 28.0 * scale : 20.0 * scale + beside_mm;
   const TriangleMesh sheet{{{first, y, -8.0}, {last, y, -8.0}, {last, y, 8.0}, {first, y, 8.0}},
@@ -147,7 +147,7 @@ KnownTurn tip_beside_opening(std::size_t k, double beside_mm) {
   const double meets = asin(Precise(y) / Precise(r)).convert_to<double>();
   known.contact = start + meets;
   known.rate = r * std::cos(meets);
-  // The tip has gone 20 mm a radian through the sheet; its flanks are 2 times as far from where it came.
+  // The tip has moved 20 mm per radian through the sheet; its flanks are twice as far behind.
   const double further = ahead ? std::min(beside_mm / (70.0 * scale), 0.02) : 0.02;
   known.deepest = *known.contact + further;
   known.depth_mm = known.rate * further;

@@ -19,9 +19,9 @@
 namespace impinge::lab {
 namespace {
 
-constexpr double kClear = 1e-9;      // mm, how near bones are in the pose before their contact
+constexpr double kClear = 1e-9;      // mm, distance of the bones in the pose before their contact
 constexpr double kSkin = 1e-5;       // mm, see kTurnMutation
-constexpr double kPoseDoubt = 64.0;  // roundings, u R each, by which a pose may move a bone, and more
+constexpr double kPoseDoubt = 64.0;  // roundings, u R each, by which a pose may move a bone, with a margin
 
 double reach_of(const KnownTurn& known) {
   double reach = 0.0;
@@ -44,7 +44,7 @@ StabilityCase blank(double magnitude, std::string method, std::string kind, doub
   return row;
 }
 
-// A bracket is a bound: half of it on its middle.
+// The bracket as a bound: half its width, about its middle.
 void judge_bracket(StabilityCase& row, const KnownTurn& known, const TurnLimit& limit) {
   const double contact = *known.contact;
   const double unit = reach_of(known) * unit_roundoff(row.scalar) / known.rate;  // radians
@@ -89,7 +89,7 @@ void judge_limit(StabilityCase& row, const KnownTurn& known, const TurnLimit& li
 
 using PoseTest = std::function<bool(const Pose&)>;
 
-// The first pose that touches is that after the contact, if one does.
+// The first pose that touches must be the one after the contact, if any.
 void judge_steps(StabilityCase& row, const KnownTurn& known, const PoseTest& touches) {
   ++row.questions;
   const double step = row.precision_deg * kDegree;
@@ -104,7 +104,7 @@ void judge_steps(StabilityCase& row, const KnownTurn& known, const PoseTest& tou
   if (known.contact) ++row.missed_hits;
 }
 
-// Just before the contact, and in the deepest pose, unless rounding decides there.
+// Tests just before the contact and in the deepest pose, unless rounding decides there.
 void judge_poses(StabilityCase& row, const KnownTurn& known, const PoseTest& touches) {
   if (std::abs(known.depth_mm) > kPoseDoubt * reach_of(known) * unit_roundoff(Scalar::float64)) {
     ++row.questions;
@@ -133,7 +133,7 @@ PoseTest cgal_test(const BallSocketPair& bones) {
   return [&bones](const Pose& pose) { return surfaces_meet(moved(bones.ball, pose), bones.socket); };
 }
 
-// Each vertex of the ball, which is convex, farther from its middle.
+// Moves each vertex of the ball, which is convex, away from its middle.
 BallSocketPair with_skin(BallSocketPair bones, double skin_mm) {
   Vec3 middle = Vec3::Zero();
   for (const Vec3& x : bones.ball.vertices) middle += x / static_cast<double>(bones.ball.vertices.size());
@@ -141,7 +141,7 @@ BallSocketPair with_skin(BallSocketPair bones, double skin_mm) {
   return bones;
 }
 
-// The rows of one magnitude, to which each turn adds; libraries follow.
+// The rows of one magnitude: each turn adds to them; libraries come last.
 struct Rows {
   explicit Rows(double magnitude)
       : at(magnitude),

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Turns whose first contact is known in closed form, and what methods make of them. Lengths in mm, angles in
-// radians where a name does not say degrees.
+// Turns with a first contact in closed form, and the answers of methods. Lengths in mm, angles in radians
+// unless a name says degrees.
 //
-// Bones turn about an axis through the centre. With R the largest radius and `rate` what the distance of the
-// bones loses a radian where they first meet, rounding (20 u R of a turned vertex, limits/turn_contact.hpp,
-// of either bone) may move the contact by 40 u R / rate: condition R / (rate angle), threshold 40. The
-// condition of a distance d at which bones pass one another is R / d.
+// Bones turn about an axis through the centre. R is the largest radius, `rate` the decrease of the bones'
+// distance per radian where they first meet. Rounding (20 u R for a turned vertex of either bone,
+// limits/turn_contact.hpp) may move the contact by 40 u R / rate: the condition is R / (rate angle), the
+// threshold 40. For bones that pass at a distance d the condition is R / d.
 #pragma once
 
 #include <array>
@@ -25,40 +25,40 @@ namespace impinge::lab {
 inline constexpr double kTurnThreshold = 40.0;
 inline constexpr const char* kTurnDerivation =
     "20 u R of a turned vertex, of either bone, over what their distance loses a radian";
-inline constexpr std::array kTurnSteps{1.0, 0.1};  // degrees, of those that pose after pose is asked
+inline constexpr std::array kTurnSteps{1.0, 0.1};  // degrees, for methods that test poses in steps
 
 struct KnownTurn {
   BallSocketPair bones;
   JointTurn turn;
-  double largest_deg = 60.0;      // how far it is asked
-  std::optional<double> contact;  // the first, from the start; none: they never meet
+  double largest_deg = 60.0;      // the turn goes up to this
+  std::optional<double> contact;  // the first one, from the start; none if they never meet
   double rate = 1.0;              // mm a radian, see above
-  double deepest = 0.0;           // where they overlap most, or are nearest
-  double depth_mm = 0.0;          // there; below zero their distance
+  double deepest = 0.0;           // angle of deepest overlap, or least distance
+  double depth_mm = 0.0;          // overlap there; a negative one is a distance
 };
 
-// In each, k chooses radius, start and axis: that of x, y or z.
+// In each, k chooses radius, start and axis, which is x, y or z.
 
-// Bone behind bone: a slab passes the tip of a tetrahedron on the far side from the centre, at that distance.
+// Bone behind bone: a slab passes the far side of a tetrahedron's tip, at this distance.
 KnownTurn passing_behind(std::size_t k, double distance_mm);
-// A ridge of the ball passes across one of the socket so that they overlap by no more than that.
+// A ridge of the ball passes across a ridge of the socket; they overlap by at most this.
 KnownTurn grazing_ridges(std::size_t k, double depth_mm);
-// A ridge meets another, from which it is turned by that angle.
+// A ridge meets another that is turned by this angle from it.
 KnownTurn meeting_ridges(std::size_t k, double between);
-// A tip meets a sheet so far from the border of the sheet.
+// A tip meets a sheet this far from the sheet's border.
 KnownTurn tip_beside_opening(std::size_t k, double beside_mm);
-// A tip slides along the face of an octahedron (slide.hpp), and touches it from `angle` before the deepest
-// point of its way on.
+// A tip slides along the face of an octahedron (slide.hpp) and touches it `angle` before the deepest point of
+// its path.
 KnownTurn sliding_tip(std::size_t k, double angle, double octahedron_radius);
-// The slide of that turn: the first three are about different axes.
+// The slide of that turn; the first three are about different axes.
 Slide known_slide(std::size_t k, double angle, double octahedron_radius);
 
-// Every method on turns of one magnitude: the first contact in closed form, and the same of a ball that is
-// too large (`mutated`); the exact test, and the thesis' gaps of vertices, pose after pose in steps; and each
-// test of a pose in the deepest one and just before the contact.
+// Tests every method on turns of one magnitude: the first contact in closed form, and again for a ball that
+// is too large (`mutated`); the exact test and the thesis' gaps of vertices, in steps of poses; and each test
+// of a pose in the deepest pose and just before the contact.
 std::vector<StabilityCase> judge_turns(double magnitude, std::span<const KnownTurn> turns);
 
-// Of turn_at(k, magnitude) for 9 or 60 k, at each magnitude.
+// Tests turn_at(k, magnitude) for 9 or 60 values of k at each magnitude.
 std::vector<StabilityCase> over_turns(std::span<const double> magnitudes, const StabilityRun& run,
                                       const std::function<KnownTurn(std::size_t, double)>& turn_at);
 

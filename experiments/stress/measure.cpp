@@ -24,10 +24,10 @@ namespace {
 constexpr double kMicrometres = 1000.0;  // in a millimetre
 
 void raise(double& largest, double value) {
-  if (!(value <= largest)) largest = value;  // a NaN is replaced
+  if (!(value <= largest)) largest = value;  // also replaces a NaN
 }
 
-// Least angle between a direction and the part of a great circle between two directions.
+// Least angle between a direction and the arc of a great circle between two directions.
 double angle_to_arc(const Vec3& u, const Vec3& from, const Vec3& to) {
   const Vec3 across = from.cross(to).stableNormalized();
   const bool beside = across.cross(from).dot(u) >= 0.0 && across.cross(to).dot(u) <= 0.0;
@@ -35,8 +35,8 @@ double angle_to_arc(const Vec3& u, const Vec3& from, const Vec3& to) {
   return beside ? std::min(to_ends, std::abs(std::asin(std::clamp(across.dot(u), -1.0, 1.0)))) : to_ends;
 }
 
-// May a table answer nothing here? Within its reach of an entry that it reads, as the direction is too, the
-// surface ends or jumps.
+// May a table have no answer here? Yes if the surface ends or jumps within its reach of an entry that it
+// reads; the direction is within its reach, too.
 bool is_near_rim(const TriangleMesh& mesh, const std::vector<JumpEdge>& rim, const Vec3& x, double reach) {
   const Vec3 u = x.stableNormalized();
   return std::ranges::any_of(rim, [&](const JumpEdge& edge) {
@@ -74,7 +74,7 @@ void judge_bound(StabilityCase& result, double error_mm, double bound_mm) {
   result.bound_um = kMicrometres * bound_mm;
 }
 
-// Look-ups between entries, and the bound of each; reach: of the table, radians.
+// Look-ups between entries, with the bound of each; `reach` is the table's, radians.
 void judge_look_ups(StabilityCase& result, const Shared& shared, double reach,
                     std::span<const double> answers, std::span<const double> bounds) {
   const auto& [directions, truth, condition] = shared.along;
@@ -134,7 +134,7 @@ StabilityCase measure_one(Shared& shared, const StabilityMethod& method, Stabili
   return result;
 }
 
-// Tables at working precisions.
+// Adds tables at working precisions.
 void add_working(std::vector<StabilityCase>& cases, const Shared& shared, double magnitude) {
   for (const WorkingTable& table : working_tables(shared.scene.mesh, shared.along.directions)) {
     StabilityCase result;
@@ -152,7 +152,7 @@ void add_working(std::vector<StabilityCase>& cases, const Shared& shared, double
 using Long = long double;
 using LongVec = Eigen::Matrix<Long, 3, 1>;
 
-constexpr Long kSamePlace = 1e-4L;  // of the radius: faces that meet at an edge or vertex
+constexpr Long kSamePlace = 1e-4L;  // share of the radius up to which faces meet at an edge or vertex
 
 double finite(Long value) {
   const auto rounded = static_cast<double>(value);

@@ -14,7 +14,7 @@
 namespace impinge::lab {
 namespace {
 
-// Larger surfaces have the bound of first order: the proof of the tight one takes too long here.
+// Larger surfaces get the first-order bound, since proving the tight one takes too long here.
 constexpr std::size_t kMostEntries = 20000;
 constexpr std::size_t kMostFaces = 700;
 
@@ -27,7 +27,7 @@ StabilityMethod ours(std::string_view name) {
   return method;
 }
 
-// Those with a name for stiff cases. The benchmark's scene is kept by the methods.
+// Methods with a name for stiff cases; they keep the benchmark's scene.
 std::vector<StabilityMethod> named_methods(const StabilityScene& scene, const BoundOptions& search) {
   const auto bench = std::make_shared<const BenchmarkScene>(benchmark_scene(scene));
   const PointSizes sizes{{{scene.precision_deg}, kMostEntries, kMostFaces, search}, {}};
@@ -60,7 +60,7 @@ void add_refusals(std::vector<StabilityMethod>& methods, const StabilityScene& s
 }  // namespace
 
 bool is_met(const TriangleCone& cone, const Vec3& x, const Vec3& u) {
-  // Normalising moves an edge plane's test by less than one doubt.
+  // Normalising changes an edge plane's test by less than one doubt.
   if (cone.least_edge_distance(u.x(), u.y(), u.z()) < -2.0 * cone.doubt()) return false;
   return place_in_cone(cone.corners(), cone.side(), x) >= 0;
 }

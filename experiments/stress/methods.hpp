@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The methods that a case of radii goes through: ours, and the others beside them.
+// The methods that a case of radii tests: ours and others.
 #pragma once
 
 #include <array>
@@ -14,15 +14,15 @@
 
 namespace impinge::lab {
 
-// What the methods of one case are asked, and of which surface.
+// The questions for the methods of one case, and the surface.
 
 // A surface and the directions along which it is asked.
 struct StabilityScene {
   TriangleMesh mesh;  // centre frame, mm
-  // Of any length above zero. Rays are cast along them; tables are looked up there, and examined at their own
-  // entries too.
+  // Of any length above 0. Rays are cast along them. Tables are looked up along them, and also tested at
+  // their own entries.
   std::vector<Vec3> directions;
-  // Places of two directions that are the same one, differently written: answers have the same bits.
+  // Indices of two directions that are the same but written differently; answers must have the same bits.
   std::vector<std::array<std::size_t, 2>> twins;
   double precision_deg = 10.0;  // of the tables
 };
@@ -30,20 +30,19 @@ struct StabilityScene {
 // Does the ray along x meet the face? Exact; u is x normalised.
 bool is_met(const TriangleCone& cone, const Vec3& x, const Vec3& u);
 
-// The rays of the rasteriser without a table: of all faces whose cone contains the direction, exactly, the
-// nearest radius(). What fills every table, asked along any direction.
+// The rasteriser's rays without a table: the nearest radius() of all faces whose cone contains the direction,
+// decided exactly. This fills every table, and answers along any direction.
 PointQuery make_cone_rays(const TriangleMesh& mesh);
 
-// A method that is asked, or why it cannot be.
+// A method to test, or why it cannot be tested.
 struct StabilityMethod {
-  PointCase maker;                  // how it comes to be
+  PointCase maker;                  // how it is prepared
   Scalar scalar = Scalar::float64;  // that it computes in, or stores
-  std::string refused = {};         // the one line of a refusal; else empty
+  std::string refused = {};         // one line if it refuses; else empty
 };
 
-// cone_rays, and of all that answer points those with a name for stiff cases: ours, brute force, libraries. A
-// scheme that has no table at the precision of the scene is there with its refusal. The scene outlives the
-// methods.
+// cone_rays, and every method for points with a name for stiff cases: ours, brute force, libraries. A scheme
+// without a table at the scene's precision appears with its refusal. The scene must outlive the methods.
 std::vector<StabilityMethod> stability_methods(const StabilityScene& scene, const BoundOptions& search);
 
 // The entries of every scheme at a precision.
@@ -51,6 +50,6 @@ struct SchemeEntries {
   std::string scheme;            // its name
   std::vector<Vec3> directions;  // unit vectors
 };
-std::vector<SchemeEntries> scheme_entries(double precision_deg);  // of each scheme that has the precision
+std::vector<SchemeEntries> scheme_entries(double precision_deg);  // for each scheme that has the precision
 
 }  // namespace impinge::lab

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The conchoid in 200 bits, by its textbook formulas: the truth of the family `conchoid`.
+// The conchoid in 200 bits by its textbook formulas: the truth for the family `conchoid`.
 #pragma once
 
 #include "sphere/conchoid_shape.hpp"
@@ -7,14 +7,14 @@
 
 namespace impinge::lab {
 
-// Lengths in mm, angles in radians. a, b and phi are taken as they are.
+// Lengths in mm, angles in radians. a, b and phi are taken as exact.
 class PreciseConchoid {
  public:
-  // Of that shape, a and b taken as they are.
+  // For this shape, with a and b taken as exact.
   explicit PreciseConchoid(const ConchoidShape& shape) : a_(shape.a), b_(shape.b) {}
 
   Precise radius(double phi) const { return a_ + b_ * cos(Precise(phi)); }  // a + b cos(phi)
-  // Ds / dphi.
+  // ds / dphi
   Precise speed(double phi) const { return sqrt(a_ * a_ + b_ * b_ + 2 * a_ * b_ * cos(Precise(phi))); }
 
   // 2 (a + b) E(phi / 2 | m), m = 4 a b / (a + b)^2, with E = s R_F - m s^3 R_D / 3, s = sin(phi / 2).
@@ -46,8 +46,8 @@ class PreciseConchoid {
     Precise rd;
   };
 
-  // R_F(x, y, 1) and R_D(x, y, 1), doubled until all arguments are the same but for half of the digits: then
-  // the mean is as good as a series.
+  // R_F(x, y, 1) and R_D(x, y, 1), by duplication until all arguments agree in half of the digits; then the
+  // mean is as good as a series.
   static Carlson carlson(Precise x, Precise y) {
     Precise z = 1;
     Precise sum = 0;

@@ -14,7 +14,7 @@ Vec3 Slide::vertex(double angle) const {
 
 Slide slide_touching_at(double contact, double octahedron_radius) {
   const Vec3 normal = Vec3(1.0, 1.0, 1.0).normalized();
-  const Vec3 across = Vec3(0.3, -0.7, 0.4).normalized();  // to the normal
+  const Vec3 across = Vec3(0.3, -0.7, 0.4).normalized();  // perpendicular to the normal
   Slide slide;
   slide.axis = std::cos(60.0 * kDegree) * normal + std::sin(60.0 * kDegree) * across;
   const Vec3 towards = (normal - normal.dot(slide.axis) * slide.axis).normalized();
@@ -36,7 +36,7 @@ PreciseSlide::PreciseSlide(const Slide& slide, double octahedron_radius) : radiu
   }
 }
 
-// In the octant of the face its plane is |x|_1 = R: the gap is R |x| / |x|_1 - |x|.
+// In the octant of the face its plane is |x|_1 = R, so the gap is R |x| / |x|_1 - |x|.
 Precise PreciseSlide::gap(const Precise& angle) const {
   Precise sum = 0;
   Precise square = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A vertex that turns about an axis and touches the face of an octahedron on its way, almost along it: the
-// motion of the family `stiff_motion`. Lengths in mm, angles in radians.
+// A vertex turns about an axis and touches the face of an octahedron at a grazing angle: the motion of the
+// family `stiff_motion`. Lengths in mm, angles in radians.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace impinge::lab {
 
-// The vertex is along + cos(angle) aside + sin(angle) (axis x aside).
+// The path of the vertex: along + cos(angle) aside + sin(angle) (axis x aside).
 struct Slide {
   Vec3 axis;   // unit vector
   Vec3 along;  // mm, the part of the vertex along the axis
@@ -21,19 +21,19 @@ struct Slide {
   Vec3 vertex(double angle) const;  // mm
 };
 
-// About an axis 60 degrees from the normal of the face x, y, z > 0 of an octahedron of that radius, 40
-// degrees from the axis: nearest to the face, 20 degrees from the normal, at angle 0, and on it at the angle
-// `contact`, to rounding.
+// A slide about an axis 60 degrees from the normal of the face x, y, z > 0 of an octahedron of this radius.
+// The vertex is 40 degrees from the axis. At angle 0 it is nearest to the face, 20 degrees from the normal;
+// at the angle `contact` it is on the face, to rounding.
 Slide slide_touching_at(double contact, double octahedron_radius);
 
-// The same in 200 bits, of the doubles that the slide consists of.
+// The slide in 200 bits, from its doubles.
 class PreciseSlide {
  public:
   PreciseSlide(const Slide& slide, double octahedron_radius);  // octahedron_radius as in slide_touching_at()
 
-  // Of the vertex from the face, along its ray.
+  // Gap of the vertex from the face, along its ray.
   Precise gap(const Precise& angle) const;
-  // Where it is nothing, before angle 0.
+  // The angle before 0 at which the gap vanishes.
   Precise contact() const;
 
  private:
@@ -44,7 +44,7 @@ class PreciseSlide {
 };
 
 // The first angle from `start` to 0 at which the method sees no gap, by bisection down to neighbouring
-// doubles; none where it sees none at the start, or one at 0.
+// doubles. None if it sees no gap at the start, or a gap at 0.
 std::optional<double> touching_angle(const PointQuery& query, const Slide& slide, double start);
 
 }  // namespace impinge::lab

@@ -34,7 +34,7 @@ std::optional<S> working_scheme(double precision_deg) {
   }
 }
 
-// How a table is read: its taps, and what it makes of their radii.
+// How a table is read: its taps, and the answer from their radii.
 struct Radii {
   static constexpr const char* kSuffix = "";
   template <class S>
@@ -49,7 +49,7 @@ struct Radii {
     }
     return sum;
   }
-  // Of the answer, a mean of the taps: error_bound.hpp.
+  // Error of the answer, a mean of the taps: error_bound.hpp.
   static double share(double slope, double reach) { return first_order_share(slope, reach); }
 };
 
@@ -69,26 +69,26 @@ struct InverseDepths {
     }
     return (x / scheme.depth(x)).norm() / sum;
   }
-  // The answer R is between cos s times the least tap and the largest one, and the true radius between
-  // exp(-T s) and exp(T s) times any tap: |R - r| <= R (exp(T s) / cos s - 1).
+  // The answer R is between cos s times the least tap and the largest tap, and the true radius between exp(-T
+  // s) and exp(T s) times any tap: |R - r| <= R (exp(T s) / cos s - 1).
   static double share(double slope, double reach) {
     const double grown = first_order_share(slope, reach);
     return (1.0 + grown) / std::cos(std::min(reach, 1.0)) - 1.0;
   }
 };
 
-// A face as it is seen: the unit normals of the planes through its edges, inwards, and its largest tan psi.
+// A face as it is seen: the inward unit normals of the planes through its edges, and its largest tan psi.
 struct SeenFace {
   explicit SeenFace(const TriangleCone& cone) : slope(cone.edge_on() ? kInfinity : cone.largest_slope()) {
     for (std::size_t k = 0; k < 3; ++k)
       inward[k] = (cone.corners()[k].cross(cone.corners()[(k + 1) % 3])).stableNormalized();
     if (cone.side() < 0) std::ranges::transform(inward, inward.begin(), std::negate{});
     if (!cone.edge_on()) return;
-    // A face in a plane with the centre: near that plane.
+    // The plane of the face holds the centre: stay near that plane.
     const Vec3 across = inward[0].isZero() ? inward[1] : inward[0];
     inward = {across, -across, across};
   }
-  // No direction of a convex cone within an angle of u is on the other side of a plane by more than its sine.
+  // No direction of a convex cone within an angle of u is beyond a plane by more than the angle's sine.
   bool may_be_within(const Vec3& u, double sine) const {
     return std::ranges::all_of(inward, [&](const Vec3& n) { return n.dot(u) >= -sine; });
   }
@@ -96,7 +96,7 @@ struct SeenFace {
   double slope;
 };
 
-// Largest tan psi of the faces that come within `reach` radians of x, and perhaps of others.
+// Largest tan psi of the faces within `reach` radians of x, and perhaps of others.
 double slope_near(const std::vector<SeenFace>& faces, const Vec3& x, double reach) {
   const Vec3 u = x.stableNormalized();
   const double sine = std::sin(std::min(reach, 1.5)) + 1e-12;
@@ -107,7 +107,7 @@ double slope_near(const std::vector<SeenFace>& faces, const Vec3& x, double reac
   return slope;
 }
 
-// Adds the entries that a way to read a table needs.
+// Adds the entries that this way of reading needs.
 template <class Way, class S>
 void insert(const S& scheme, std::span<const Vec3> directions, EntrySet& entries) {
   for (const Vec3& x : directions) {
@@ -129,7 +129,7 @@ WorkingTable read(const S& scheme, double precision_deg, const PartialTable& tab
             : Way::answer(
                   scheme, taps, [&](std::size_t entry) { return table.radius_of(entry); }, x);
     result.answers.push_back(answer);
-    // The path from x to a tap stays within the reach of it: faces within two of x are all that count.
+    // The path from x to a tap stays within the tap's reach, so only faces within twice the reach of x count.
     const double share = std::isnan(answer) ? 0.0 : Way::share(slope_near(seen, x, 2.0 * reach), reach);
     result.bounds.push_back(share > 1.0 ? kInfinity : answer * share);
   }

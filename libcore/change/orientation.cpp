@@ -10,16 +10,16 @@
 namespace impinge {
 namespace {
 
-// A part of a leg that may touch in some orientations of a cell, and where.
+// A part of a leg that is open in a cell, and where it may touch.
 struct OpenPart {
   LegPart part;
   CellHint hint;
 };
 
-// What is left of the required poses, of all orientations of a cell.
+// The parts of legs that are not free in all orientations of a cell.
 struct Left {
   std::vector<OpenPart> open;
-  std::optional<std::size_t> unknown;  // a leg of which some part is, in all of them
+  std::optional<std::size_t> unknown;  // a leg with a part that is unknown in all of them
 };
 
 class Map {
@@ -41,21 +41,21 @@ class Map {
   }
 
  private:
-  // All rotations of the ball in the socket at rest, of the orientations of a cell and the poses of a part.
+  // Rotations, relative to the socket at rest, that hold all poses of a part in all orientations of a cell.
   RotationBall rotations(const OrientationCell& cell, const LegPart& part) const {
     const RotationBall poses = poses_of(asked_.legs[part.leg], part);
     const Eigen::Matrix3d turned = tilt_ * cup_rotation(cell.middle, asked_.side) * from_rest_;
     return {turned.transpose() * poses.rotation, poses.radius + spread(cell.half_deg)};
   }
 
-  // theta of the header.
+  // theta of the theorem in the header, rounded up: sin^2(theta / 2) = sin^2(h / 2) (2 - sin^2(h / 2)).
   static double spread(double half_deg) {
     const double sine = std::sin(0.5 * half_deg * kDegree);
     return 2.0 * std::asin(std::min(1.0, std::sqrt(sine * sine * (2.0 - sine * sine)))) + kCapSlack;
   }
 
-  // Decides the parts, halved until they add less to the rotations than the cell does. Those that stay open
-  // are kept for its quarters.
+  // Decides the parts. They are halved until they spread the rotations less than the cell does; what stays
+  // open is kept for the cell's quarters.
   Left decide(OrientationCell& cell, Left before) {
     const double narrow_deg = spread(cell.half_deg) / kDegree;
     Left left{{}, before.unknown};
@@ -112,7 +112,8 @@ std::vector<OrientationCell> orientation_map(const CellTest& joint, const Orient
   return Map(joint, question).cells();
 }
 
-// sin^2(t / 2) = sin^2(d / 2) + sin^2(e / 2) - sin^2(d / 2) sin^2(e / 2), which is exact for small turns.
+// The turn, degrees. sin^2(t / 2) = sin^2(d / 2) + sin^2(e / 2) - sin^2(d / 2) sin^2(e / 2) keeps its digits
+// for small turns. t grows with |d| and |e|, so that the nearest place of a cell has the least of both.
 static double turn_of(const CupAngles& change) {
   const double d = std::sin(0.5 * change.inclination_deg * kDegree);
   const double e = std::sin(0.5 * change.anteversion_deg * kDegree);

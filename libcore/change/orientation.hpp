@@ -3,17 +3,14 @@
 /// In which orientations of the socket are required motions free? A map over radiographic inclination and
 /// anteversion (hip/cup_angles.hpp), as cells that are free, blocked or still open. Theorem 15 (orientation).
 ///
-/// A socket that is turned by P about the centre of the ball meets the ball in the pose R as the socket at
-/// rest meets it in P^-1 R. P = T M(a) M(a0)^-1, with T the tilt of the pelvis, a the angles of the map and
-/// a0 those of the socket at rest. M is a turn by the inclination about one axis after one by the anteversion
-/// about an axis square to it: of all angles within h of those in the middle of a cell no M is farther from
-/// that of the middle than theta, cos(theta / 2) = cos^2(h / 2). So of all orientations of a cell and all
-/// poses of a part of a leg (change/required_motion.hpp) no rotation is farther than theta + rho from one of
-/// them, and rotations/cell_test.hpp decides them together. A cell is
-///   free     every part of every leg is
-///   blocked  some part is blocked, in all of its orientations
-///   unknown  some part is unknown, and no other one is open or blocked
-///   open     none of these is shown at the finest resolution
+///   free     every part of every leg (change/required_motion.hpp) is free in all orientations of the cell
+///   blocked  some part is blocked in all of its poses and in all orientations of the cell
+///   unknown  some part is unknown (rotations/cell_test.hpp), and no other one is open or blocked
+///   open     none of these could be shown at the finest resolution
+///
+/// To turn the socket by P about the centre of the ball is to turn the ball by P^-1: rotations/cell_test.hpp
+/// decides all orientations of a cell and all poses of a part together. P = T M(a) M(a0)^-1, with T the tilt
+/// of the pelvis, a the angles of the map, a0 those of the socket at rest and M cup_rotation().
 #pragma once
 
 #include <initializer_list>
@@ -27,37 +24,36 @@
 
 namespace impinge {
 
-/// The map is a square of angles that is halved in both.
+/// The map is a square of angles. Its cells are squares, divided into four where they are open.
 struct OrientationQuestion {
-  std::vector<RequiredLeg> legs;  // joint frame, of a pelvis that is upright
+  std::vector<RequiredLeg> legs;  // required motions, joint frame of an upright pelvis
   Side side = Side::right;        // of the body
-  CupAngles at_rest;              // degrees, of the socket as it is given
-  double tilt_deg = 0.0;          // of the pelvis backwards; angles of the map are those in the pelvis
-  CupAngles least{0.0, -30.0};    // degrees, corner of the map
-  double width_deg = 90.0;        // of the map, in both angles
-  double resolution_deg = 0.1;    // cells that are no wider are not halved
+  CupAngles at_rest;              // degrees, angles of the socket as it is given
+  double tilt_deg = 0.0;        // tilt of the pelvis backwards; angles of the map are relative to the pelvis
+  CupAngles least{0.0, -30.0};  // degrees, the corner of the map with the least angles
+  double width_deg = 90.0;      // width of the map in both angles
+  double resolution_deg = 0.1;  // cells of this width or less are not divided
 };
 
 /// A square of the map.
 struct OrientationCell {
   CupAngles middle;       // degrees
-  double half_deg = 0.0;  // from the middle to the sides
+  double half_deg = 0.0;  // half of its width
   CellState state = CellState::open;
-  std::optional<std::size_t> leg;  // of a cell that is not free: index of a leg with that state
+  std::optional<std::size_t> leg;  // if the cell is not free: index of a leg that has its state
 };
 
-/// All cells, of which the map is made up. The same for every run.
+/// The cells that make up the map. The same in every run.
 std::vector<OrientationCell> orientation_map(const CellTest& joint, const OrientationQuestion& question);
 
-/// One of a map, and the turn that leads there.
+/// An orientation of a map, and the turn that leads there.
 struct NearestOrientation {
-  CupAngles angles;       // degrees, of the orientation
-  CupAngles change;       // from where the socket is
-  double turn_deg = 0.0;  // angle t of the rotation M(a) M(a0)^-1: with d and e the changes,
-                          // cos(t / 2) = cos(d / 2) cos(e / 2)
+  CupAngles angles;       // degrees
+  CupAngles change;       // degrees, from where the socket is
+  double turn_deg = 0.0;  // angle t of the rotation, cos(t / 2) = cos(d / 2) cos(e / 2) for the changes d, e
 };
-/// The one in cells of these states to which the least turn leads, the first such; none without such a cell.
-/// t grows with either change, so that of a cell it is the place with the smallest of both.
+/// The orientation in the cells of these states that the least turn leads to, the first of several; none
+/// without such a cell.
 std::optional<NearestOrientation> nearest_orientation(std::span<const OrientationCell> cells,
                                                       const CupAngles& from,
                                                       std::initializer_list<CellState> states);

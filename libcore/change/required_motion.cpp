@@ -12,7 +12,8 @@
 namespace impinge {
 namespace {
 
-// In the order of joint_rotation(). Of two names for an angle the one that it grows by.
+// The name of the motion in which the angle goes from 0 to this value, such as extension for a negative
+// flexion.
 const MotionName& growing_name(double Motion::*angle, double value) {
   for (const MotionName& name : motion_names()) {
     if (name.angle == angle && (name.sign > 0.0) == (value > 0.0)) return name;

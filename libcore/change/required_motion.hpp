@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motions that a joint is to reach, as the path that a surgeon moves the leg along, in pieces of which every
-// pose is known to within an angle.
+// Motions that a joint is required to reach, as the paths on which a surgeon moves the leg.
 //
-// The path of a motion begins in the pose of the scan and changes one angle after the other, in the order of
-// joint_rotation(): flexion (or extension) first, at that flexion abduction (or adduction), and there
-// rotation. All poses on the way belong to it, and no others: not the box of all smaller angles.
-//
-// A leg of the path is a turn R(a) = outer R(axis, a) inner. A turn by d about any axis moves no direction by
-// more than |d|, so that every R(a) with a in [from, to] brings each direction to within (to - from) / 2 of
-// where R((from + to) / 2) brings it.
+// A path begins in the pose of the scan and changes one angle after the other, in the order of
+// joint_rotation(): flexion or extension first, then abduction or adduction, then rotation. All poses on the
+// path are required, and no others: not the box of all smaller angles.
 #pragma once
 
 #include <optional>
@@ -29,11 +24,10 @@ struct RequiredLeg {
   double largest_deg = 0.0;  // the turn runs from 0, the start, to this angle
 };
 
-/// The legs of the path to a motion; none for the pose of the scan. std::invalid_argument as for
-/// joint_rotation().
+/// The legs of the path to a motion; none for the pose of the scan. Throws as joint_rotation() does.
 std::vector<RequiredLeg> required_legs(const Motion& motion, std::optional<Side> side);
 
-/// Those of several motions, one path after the other.
+/// The legs of several motions, one path after the other.
 std::vector<RequiredLeg> required_legs(std::span<const Motion> motions, std::optional<Side> side);
 
 /// A leg in words: "internal_rotation from 0 to 30 degrees at flexion 90".
@@ -41,17 +35,17 @@ std::string describe(const RequiredLeg& leg);
 
 /// A part of a leg, angles in degrees.
 struct LegPart {
-  std::size_t leg = 0;    // place among the legs
-  double from_deg = 0.0;  // of the angle that grows
-  double to_deg = 0.0;    // of the angle that grows
+  std::size_t leg = 0;    // index of the leg
+  double from_deg = 0.0;  // where the growing angle begins
+  double to_deg = 0.0;    // where it ends
 };
 
-/// When parts are not halved any more for the sake of a cap of directions.
-inline constexpr double kCertainEnough = 2e-3;  // mm: what is uncertain is no longer than this
-inline constexpr double kNarrowPart = 0.35;     // of the cap's angle: a part that is no wider stays
-inline constexpr double kLeastPart = 1e-8;      // radians: narrower parts are all rounding
+/// For a question about a cap of directions, parts of legs are halved until one of these holds.
+inline constexpr double kCertainEnough = 2e-3;  // mm: no more than this is uncertain
+inline constexpr double kNarrowPart = 0.35;  // the part turns by no more than this share of the cap's radius
+inline constexpr double kLeastPart = 1e-8;   // radians: narrower parts are rounding only
 
-/// Rotations that hold every pose of the part, rounded outwards.
+/// Rotations that hold every pose of the part, rounded outwards: half of its angle about the middle pose.
 RotationBall poses_of(const RequiredLeg& leg, const LegPart& part);
 
 }  // namespace impinge

@@ -17,9 +17,9 @@
 namespace impinge {
 namespace {
 
-constexpr double kVolumeSlack = 1e-9;  // of volumes and areas
+constexpr double kVolumeSlack = 1e-9;  // share of a volume or area that allows for rounding
 constexpr int kMostRounds = 40;
-constexpr double kLeastFlat = 0.5;  // cosine of a leaf's angle: wider ones would be moved out to no purpose
+constexpr double kLeastFlat = 0.5;  // cosine of a leaf's radius; the corners of a wider one are not moved out
 
 // Signed volume of the cone over a face, mm^3.
 double cone_volume(const TriangleMesh& mesh, const Face& face) {
@@ -28,13 +28,13 @@ double cone_volume(const TriangleMesh& mesh, const Face& face) {
 
 // What is known of one face.
 struct Leaf {
-  bool cut = false;      // may some of it have to go?
-  bool whole = false;    // certainly all bone along its rays
-  double corners = 0.0;  // mm, a radius at which its corners keep all of it clear
-  RaySpans may_go;       // of a least cut
-  Ends volume;           // mm^3, signed
-  Ends area;             // mm^2
-  Ends depth;            // mm, along one ray
+  bool cut = false;      // may some bone along its rays have to go?
+  bool whole = false;    // does all bone along its rays certainly go?
+  double corners = 0.0;  // mm: with its corners at this radius all of the leaf keeps the clearance
+  RaySpans may_go;       // for a least cut: radii that may go
+  Ends volume;           // mm^3 that go, signed as its cone
+  Ends area;             // mm^2 that go
+  Ends depth;            // mm that go along one ray
 };
 
 // A face as the centre sees it.
@@ -42,7 +42,7 @@ struct SeenLeaf {
   SeenLeaf(const TriangleMesh& mesh, const Face& face) : seen(face_cap(corners_of(mesh, face))) {
     cap = {seen.cap.axis, seen.small() ? seen.cap.radius : kPi};
     area = 0.5 * area_vector(mesh, face).norm();
-    if (seen.side == 0) return;  // edge-on: no volume is over it
+    if (seen.side == 0) return;  // edge-on: its cone has no volume
     cone = std::abs(cone_volume(mesh, face));
     angle = std::abs(solid_angle(corner(mesh, face, 0), corner(mesh, face, 1), corner(mesh, face, 2)));
   }
@@ -58,8 +58,8 @@ struct SeenLeaf {
 constexpr double kMore = 1.0 + kVolumeSlack;
 constexpr double kLess = 1.0 - kVolumeSlack;
 
-// What goes of the cone over a face, up to its largest radius. What stays below the face is known too, and
-// what its cone holds exactly.
+// What goes of the cone over a face: bounded by what goes, and by the cone's volume less what stays (theorem
+// in the header, (ii)).
 Leaf leaf_of(const SeenLeaf& face, const SpansOverCap& goes) {
   const auto& [low, high] = face.seen.range;
   const double most_kept = (face.cone_to(high) - face.angle * goes.certain.volume(high)) * kMore;
@@ -93,17 +93,17 @@ Leaf ball_leaf(const SeenLeaf& face, const SweptRadius& swept, double clearance)
 struct Bone {
   Bone(const TriangleMesh& socket, double volume)
       : outside(socket, Layer::farthest), inside_out(volume < 0.0) {}
-  RadiiOverCap outside;  // its outermost layer, L
+  RadiiOverCap outside;  // radii of its outermost layer, L
   bool inside_out;
 };
 
 // Where a ray from the centre crosses a closed surface.
 struct WallCrossing {
-  double radius = 0.0;  // mm; of crossings at one place those into bone come first
+  double radius = 0.0;  // mm; where faces lie upon each other, crossings into bone come first
   int into_bone = 0;    // 1, or -1 out of it
 };
 
-// Along unit u; none where it passes an edge within rounding.
+// The crossings along unit u, in rising order of radius; none where u passes an edge within rounding.
 std::vector<WallCrossing> crossings_along(const NearFaces& faces, const Vec3& u, bool inside_out) {
   constexpr double kOnePlace = 1e-6;
   std::vector<WallCrossing> crossings;
@@ -121,8 +121,8 @@ std::vector<WallCrossing> crossings_along(const NearFaces& faces, const Vec3& u,
   return crossings;
 }
 
-// Is each shell of a closed mesh the same way round, but for cavities in the bone of another one? No ray, of
-// one through each face, then comes out of bone more often than into it.
+// Does no shell of a closed mesh seem to be inside out? Then no ray, of one through each face, has left bone
+// more often than it came into bone. (A cavity in the bone of another shell is no such shell.)
 bool of_one_orientation(const TriangleMesh& socket, bool inside_out) {
   const NearFaces faces(socket, 0.0);
   return std::ranges::none_of(socket.faces, [&](const Face& face) {
@@ -143,7 +143,7 @@ std::optional<Bone> bone_of(const TriangleMesh& socket) {
   return std::optional<Bone>(std::in_place, socket, *report.volume);
 }
 
-// Bone between the radii of a face and these, mm^3, along rays that it lies on.
+// The volume, mm^3, of the cone over a face between the face and these radii, where they are beyond the face.
 Ends volume_up_to(const SeenLeaf& face, const Ends& radius) {
   const auto& [low, high] = face.seen.range;
   const double least = face.cone_to(std::max(radius.low, low)) * kLess - face.cone * kMore;
@@ -152,11 +152,12 @@ Ends volume_up_to(const SeenLeaf& face, const Ends& radius) {
           std::min(most, face.cone_to(radius.high) * kMore - face.cone_to(low) * kLess)};
 }
 
-// What goes of the bone along the rays of a leaf, up to `clear` and no farther than the outermost layer.
+// Adds what goes along the rays of a leaf, up to `clear` but no farther than the outermost layer (theorem in
+// the header, (iv)).
 void add_bone(const SeenLeaf& face, const Ends& clear, const Bone& bone, Leaf& leaf) {
   const Ends outside{
       std::max(0.0, bone.outside.least(face.cap)),
-      std::max(bone.outside.largest(face.cap), face.seen.range.high)};  // edge-on: it knows none
+      std::max(bone.outside.largest(face.cap), face.seen.range.high)};  // outside lacks edge-on faces
   const Ends goes{std::min(clear.low, outside.low), std::min(clear.high, outside.high)};
   const Ends volume = volume_up_to(face, goes);
   const bool comes_into_bone = (face.seen.side < 0) != bone.inside_out;
@@ -190,8 +191,8 @@ Leaf least_leaf(const SeenLeaf& face, const SweptBone& swept) {
 
 double width(const Ends& ends) { return ends.high - ends.low; }
 
-// The leaves with the largest doubts that hold half of all together (Doerfler 1996, "A convergent adaptive
-// algorithm for Poisson's equation").
+// Marks as few leaves as hold half of all doubt (Doerfler 1996, "A convergent adaptive algorithm for
+// Poisson's equation").
 std::vector<bool> most_doubtful(const std::vector<double>& doubts) {
   const double all = std::accumulate(doubts.begin(), doubts.end(), 0.0);
   std::vector<std::size_t> order(doubts.size());
@@ -206,7 +207,7 @@ std::vector<bool> most_doubtful(const std::vector<double>& doubts) {
   return marked;
 }
 
-// Of all leaves; what is between the ends of each does not cancel.
+// Sums over all leaves. The widths between the ends of the leaves add up.
 struct Total {
   Ends volume;
   Ends area;
@@ -222,11 +223,11 @@ Total total_of(const std::vector<Leaf>& leaves) {
   return total;
 }
 
-// How much each leaf adds to what is not known, in mm^3: a doubtful area counts with the mean depth, and
-// less, since area is asked for less closely. Empty where all is known well enough.
+// The doubt of each leaf, mm^3: the width of its volume, and of its area times the mean depth, with less
+// weight because the area need not be as close. Empty if everything is close enough.
 std::vector<double> doubts_of(const std::vector<Leaf>& leaves, const CutQuestion& question) {
   const Total total = total_of(leaves);
-  const bool has_volume = total.volume.high > 0.0;  // an open socket has none, and the area counts alone
+  const bool has_volume = total.volume.high > 0.0;  // else, as for an open socket, only the area counts
   const double weight = has_volume ? 0.25 : 1.0;
   const double depth = has_volume ? total.volume.high / std::max(total.area.high, 1e-9) : 1.0;
   const bool volume =
@@ -241,7 +242,7 @@ std::vector<double> doubts_of(const std::vector<Leaf>& leaves, const CutQuestion
   return doubts;
 }
 
-// Adds the leaves that may be much deeper than is certain of any.
+// Marks the leaves that may be deeper, by more than `closeness`, than any is certain to be.
 void mark_deepest(const std::vector<Leaf>& leaves, double closeness, std::vector<bool>& marked) {
   double certain = 0.0;
   for (const Leaf& leaf : leaves) certain = std::max(certain, leaf.depth.low);
@@ -250,7 +251,7 @@ void mark_deepest(const std::vector<Leaf>& leaves, double closeness, std::vector
   }
 }
 
-// Cuts the leaves and asks again for those that are new.
+// Divides the marked leaves, and asks about the new ones.
 void split(TriangleMesh& mesh, std::vector<Leaf>& leaves, const std::vector<bool>& marked, const auto& ask) {
   SplitFaces split = split_faces(mesh, marked);
   std::vector<Leaf> finer;
@@ -264,7 +265,7 @@ void split(TriangleMesh& mesh, std::vector<Leaf>& leaves, const std::vector<bool
   leaves = std::move(finer);
 }
 
-// Cuts a mesh in leaves until enough is known of them.
+// Divides a mesh into leaves until the ends are close enough.
 std::vector<Leaf> leaves_of(TriangleMesh& mesh, const CutQuestion& question, const auto& ask) {
   std::vector<Leaf> leaves;
   for (const Face& face : mesh.faces) leaves.push_back(ask(mesh, face));
@@ -291,8 +292,8 @@ void sum_up(const std::vector<Leaf>& leaves, CutSize& found) {
   }
 }
 
-// Where each corner goes along its ray, mm, so that all leaves round it are clear: a ball's in as far as one
-// of them asks, a socket's out.
+// The radius, mm, to which each corner moves along its ray, so that all leaves round it keep the clearance:
+// inwards for a ball, outwards for a socket.
 std::vector<double> radii_of_corners(const std::vector<Leaf>& leaves, const TriangleMesh& mesh, Surface cut) {
   const bool in = cut == Surface::ball;
   std::vector<double> radii;
@@ -325,8 +326,8 @@ void move_corners(const std::vector<Leaf>& leaves, Resection& found) {
     found.cut_mm3 += cone_volume(found.before, face) - cone_volume(found.cut, face);
 }
 
-// Takes the leaves out of the cut surface where all bone along their rays goes, and faces that the centre
-// sees edge-on between them. Were there any?
+// Takes out of the cut surface the leaves along whose rays all bone goes, and the edge-on faces between them.
+// Were there any?
 bool take_out_whole(const std::vector<Leaf>& leaves, Resection& found) {
   std::vector<bool> gone(found.before.vertices.size(), false);
   for (std::size_t f = 0; f < leaves.size(); ++f) {

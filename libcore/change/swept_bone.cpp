@@ -8,7 +8,7 @@
 namespace impinge {
 namespace {
 
-constexpr double kNoBetter = 1.5;  // times what is not certain in one pose: halving parts changes no more
+constexpr double kNoBetter = 1.5;  // times the doubt of one pose: a part with no more is not halved
 
 }  // namespace
 
@@ -21,7 +21,7 @@ SpansOverCap SweptBone::over(const DirectionCap& cap, double farthest) const {
     for (const RadiusRange& span : bone.spans())
       to.add(std::max(0.0, span.low - clearance_), std::min(farthest, span.high + clearance_));
   };
-  // mm of these that are not certain.
+  // The length of these spans, mm, that is not certain.
   const auto doubt = [&](const RaySpans& spans) {
     double all = 0.0;
     for (const RadiusRange& s : spans.spans()) all += s.high - s.low - found.certain.length(s.low, s.high);

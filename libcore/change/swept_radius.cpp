@@ -10,7 +10,7 @@
 namespace impinge {
 namespace {
 
-// A part of a leg and the least that it may have.
+// A part of a leg, with a lower bound of what is sought in it.
 struct Open {
   double least = 0.0;
   LegPart part;
@@ -25,17 +25,17 @@ SweptRadius::SweptRadius(const TriangleMesh& other, std::vector<RequiredLeg> leg
       other_(other, cut == Surface::ball ? Layer::nearest : Layer::farthest),
       legs_(std::move(legs)) {}
 
-// What is sought is the least of S, or of -B: no less than this over the cap,
+// What is sought is the least of S, or of -B. A lower bound over the cap,
 double SweptRadius::first_end(const DirectionCap& cap) const {
   return cut_ == Surface::ball ? other_.least(cap) : -other_.largest(cap);
 }
 
-// and no more than this.
+// and an upper bound.
 double SweptRadius::second_end(const DirectionCap& cap) const {
   return cut_ == Surface::ball ? other_.largest(cap) : -other_.least(cap);
 }
 
-// A direction of the surface that is cut, in the frame of the other one.
+// Takes a direction u of the surface that is cut to the frame of the other one.
 Vec3 SweptRadius::turned(const Vec3& u, const RotationBall& poses) const {
   return cut_ == Surface::ball ? Vec3(poses.rotation * u) : Vec3(poses.rotation.transpose() * u);
 }

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far out the ball may reach in a direction u of its own frame, so that no required pose R brings it to
-// the socket: E(u) = least of S(R u), S the radius of the socket's nearest layer, over the legs of the
-// required motions (change/required_motion.hpp). And how far out the ball comes in a direction v of the
-// socket's frame: F(v) = largest of B(R^T v), B the radius of the ball's farthest layer.
-//
-// Over a cap of directions. For every part of a leg, with R and rho its cap of poses, S is nowhere less than
-// its least radius over the cap of rho + angle about R axis: the part with the least such end is halved,
-// until it is narrower than the cap itself, or says enough. What it says holds for all parts, of which none
-// has a smaller one. E is nowhere more than the largest radius over the cap of `angle` about R axis, for any
-// R that was met on the way. F is the mirror image: its R^T turn directions by as much as R do, and the part
-// with the largest end is halved. Theorem 16 (resection).
+// How far out may the ball reach in a direction u of its own frame, so that no required pose R brings it to
+// the socket? E(u) is the least S(R u) over the required motions (change/required_motion.hpp), S the radius
+// of the socket's nearest layer. And how far out does the ball come in a direction v of the socket's frame?
+// F(v) is the largest B(R^T v), B the radius of the ball's farthest layer. Theorem 16 (resection).
 #pragma once
 
 #include <span>
@@ -23,23 +16,23 @@ namespace impinge {
 
 /// A number between two proven ends.
 struct Ends {
-  double low = 0.0;   // it is no less
-  double high = 0.0;  // it is no more
+  double low = 0.0;   // the number is no less
+  double high = 0.0;  // the number is no more
 };
 
 class SweptRadius {
  public:
-  /// E for a ball that is to be cut, F for a socket. other: the surface that is not cut, about the centre,
-  /// mm, the socket in the joint frame, the ball in that of the legs; these are kept.
+  /// E for a ball that is to be cut, F for a socket. `other` is the surface that is not cut, about the
+  /// centre, mm: a socket in the joint frame, a ball in the frame of the legs.
   SweptRadius(const TriangleMesh& other, std::vector<RequiredLeg> legs, Surface cut = Surface::ball);
 
-  /// Ends of E, or F, over the cap, mm: no direction of it has a smaller one than `low`, none a larger one
-  /// than `high`. Where nothing is met, E is infinite and F -infinity; where nothing is known, an end is. The
-  /// end towards the centre of E is not refined beyond `enough`, mm, that away from it of F not below.
+  /// Ends of E, or F, over the cap, mm: no direction of the cap has less than `low` or more than `high`.
+  /// Where nothing is met, E is infinite and F -infinity. An end of which nothing is known is infinite too.
+  /// Refinement stops once the low end of E is `enough` mm or more, or the high end of F `enough` or less.
   Ends over(const DirectionCap& cap, double enough) const;
 
-  Surface cut() const { return cut_; }                  // which of both is to be cut
-  const RadiiOverCap& other() const { return other_; }  // radii of the one that is not
+  Surface cut() const { return cut_; }                  // the surface that is to be cut
+  const RadiiOverCap& other() const { return other_; }  // radii of the other one
 
  private:
   double first_end(const DirectionCap& cap) const;

@@ -21,7 +21,7 @@ fs::path without_slash(const fs::path& folder) {
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
-// The nearest folder above it that is there.
+// The nearest existing folder at or above this one.
 fs::path existing(const fs::path& of) {
   std::error_code unreadable;
   fs::path folder = without_slash(of);
@@ -29,14 +29,14 @@ fs::path existing(const fs::path& of) {
   return folder;
 }
 
-// Takes away folders without files, from this one up to one that was there.
+// Removes empty folders, from this one up to one that existed before.
 void remove_empty(const fs::path& of, const fs::path& there) {
   std::error_code kept;
   fs::path folder = without_slash(of);
   while (folder != there && fs::remove(folder, kept)) folder = folder.parent_path();
 }
 
-// What the summary that lies there lists, and what an interrupted question kept.
+// The files that an earlier summary lists, and those that an interrupted question kept.
 std::vector<std::string> files_of_earlier(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code unreadable;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A name for what an answer depends on, under which unfinished work is kept.
+// Hashes everything that an answer depends on; unfinished work is kept under this name.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ inline constexpr std::uint64_t kFnvStart = 0xcbf29ce484222325U;  // hash of no b
 std::uint64_t fnv1a(std::string_view bytes, std::uint64_t start = kFnvStart);
 
 /// Hash (fnv1a(), 16 hexadecimal digits) of the joint with the bytes of its meshes, of the request, and of
-/// `version`: of the code that answers, and of what else it reads.
+/// `version`, which names the code that answers and whatever else it reads.
 std::string answer_key(const SessionJoint& joint, const Json& request, std::string_view version);
 
 }  // namespace impinge

@@ -17,7 +17,7 @@ std::string describe_certificate(const CertifyAnswer& found, bool kept) {
   } else {
     text += found.closed ? "no contact" : "surfaces do not meet";
     if (found.to_deg) text += " from 0 to " + rounded_down(*found.to_deg, 4) + " degrees";
-    if (!found.closed) text += ", and nothing is inside what is closed";
+    if (!found.closed) text += ", and nothing is inside a closed mesh";
   }
   text += formatted("; rotations rounded by %.1g degrees\n", found.rounded_deg);
   return kept ? text
@@ -41,7 +41,7 @@ QuestionCommand certify_question() {
       "this program.",
       "femur.ply pelvis.ply --side right --motion flexion --out proof", &told);
   made.without = {"--keep", "--overlap",
-                  "--ignore-rest-contact"};  // it is about all of the meshes as they lie in their files
+                  "--ignore-rest-contact"};  // a certificate is about the meshes as they lie in their files
   return made;
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Beside the installed program, or in the sources that it was built from.
+// The checker is beside the installed program, or in the sources of this build.
 fs::path checker() {
   std::error_code unreadable;
   const fs::path program = fs::read_symlink("/proc/self/exe", unreadable);
@@ -26,7 +26,7 @@ fs::path checker() {
   return fs::exists(installed, unreadable) ? installed : fs::path(IMPINGE_CHECKER);
 }
 
-// Its exit code.
+// Runs a program and returns its exit code.
 int run(const std::vector<std::string>& words) {
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
@@ -57,13 +57,15 @@ void add_check_command(CLI::App& program, const Screen& /*screen*/, std::functio
   CLI::App& app = *program.add_subcommand(
       "check", "Checks a certificate in exact arithmetic, by a program that shares no code with this one.");
   app.footer("Example: impinge check proof/certificate.txt femur.ply pelvis.ply");
-  app.add_option("FILE", files->certificate, "that impinge certify wrote")->type_name("")->required();
-  app.add_option("BALL", files->ball, "the mesh that it was given")->type_name("")->required();
-  app.add_option("SOCKET", files->socket, "the other")->type_name("")->required();
-  app.add_option("--ball-part", files->ball_parts, "of the ball's bone, each that was given")
+  app.add_option("FILE", files->certificate, "the certificate that impinge certify wrote")
+      ->type_name("")
+      ->required();
+  app.add_option("BALL", files->ball, "the mesh of the ball")->type_name("")->required();
+  app.add_option("SOCKET", files->socket, "the mesh of the socket")->type_name("")->required();
+  app.add_option("--ball-part", files->ball_parts, "each part of the ball's bone that certify was given")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  app.add_option("--socket-part", files->socket_parts, "of the socket's bone")
+  app.add_option("--socket-part", files->socket_parts, "each part of the socket's bone")
       ->type_name("FILE")
       ->allow_extra_args(false);
   app.parse_complete_callback([files, &work] {

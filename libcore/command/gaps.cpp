@@ -30,7 +30,7 @@ std::string describe_table(const GapsRequest& request, const GapsAnswer& found) 
   return formatted("table               none: gaps within %g mm, of the faces\n", *request.max_error_mm);
 }
 
-// Of the main surfaces, along rays.
+// Words about the overlap of the main surfaces along rays.
 std::string describe_overlap(const std::optional<Certificate>& found) {
   if (!found) return "";
   if (!found->deepest) return "radial overlap      none\n";

@@ -31,15 +31,14 @@ struct HipOptions {
   MeshFormat format = MeshFormat::ply;
 };
 
-// Adds a mesh as a file of that name, which it returns.
+// Adds a mesh as a file of this name, and returns the name.
 fs::path write(const HipOptions& options, const std::string& name, const TriangleMesh& mesh, FileSet& files) {
   fs::path file = options.out / (name + '.' + std::string(word_of(options.format)));
   files.add(file, mesh_bytes(file, mesh, {.axes = "RAS"}));
   return file;
 }
 
-// Adds the parts of a mesh, each as a file of its name, and returns the option that gives them to a
-// question.
+// Adds each part of a mesh as a file of its name. Returns the option that gives these files to a question.
 std::string write_parts(const HipOptions& options, const TriangleMesh& mesh,
                         const std::vector<MeshPart>& parts, const std::string& option, FileSet& files) {
   std::string text;

@@ -20,11 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What every question has beside its own options.
+// What every question takes besides its own options.
 struct JointCommand {
   QuestionCommand question;
   JointOptions joint;
-  fs::path joints;  // a folder of joints, instead of one
+  fs::path joints;  // a folder of joints, instead of a single one
   fs::path out;
   bool json = false;
   bool quiet = false;
@@ -58,7 +58,7 @@ struct Answered {
   Json document;
 };
 
-// Reads a joint and asks it.
+// Reads a joint and asks the question.
 Answered ask(const JointCommand& command, const JointOptions& options, const Work& work,
              const Screen& screen) {
   Stopwatch watch;
@@ -128,7 +128,7 @@ void add_table(Told& told) {
   told.files.push_back({told.table_name, to_csv(table)});
 }
 
-// `older`: files of an earlier answer.
+// `older` are files of an earlier answer.
 void tell_written(const fs::path& folder, const Told& told, const std::vector<std::string>& older,
                   const JointCommand& command, const Screen& screen) {
   std::vector<std::string> names;
@@ -178,7 +178,7 @@ void run_one(const JointCommand& command, const Screen& screen) {
   if (folder) tell_written(command.out, answered.told, older, command, screen);
 }
 
-// What is given for all goes before its own description.
+// What is given for all joints takes precedence over a joint's own description.
 JointOptions options_of(const JointOptions& all, const JointFolder& at) {
   JointOptions options = all;
   options.ball = at.ball;
@@ -189,7 +189,7 @@ JointOptions options_of(const JointOptions& all, const JointFolder& at) {
   return options;
 }
 
-// Each joint in a folder of its own, and a table of them all.
+// Asks each joint in a folder of its own, and writes a table of them all.
 void run_all(const JointCommand& command, const Screen& screen) {
   const JointFolders folders = find_joints(command.joints);
   Work work = work_of(command, screen);
@@ -244,7 +244,7 @@ void run_all(const JointCommand& command, const Screen& screen) {
                << std::endl;
 }
 
-// What is given goes together.
+// Throws if options exclude each other.
 void require_consistent(const JointCommand& command) {
   if (command.schema || command.xml) return;
   command.question.check();
@@ -288,10 +288,11 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
         ->group("The question");
   app.add_flag("--json", command->json, "print the document that summary.json holds, in place of words")
       ->group(group);
-  CLI::Option* const joints = app.add_option("--joints", command->joints,
-                                             "in place of BALL and SOCKET: a folder with one folder a joint")
-                                  ->type_name("DIR")
-                                  ->group(group);
+  CLI::Option* const joints =
+      app.add_option("--joints", command->joints,
+                     "a folder with a folder for each joint, in place of BALL and SOCKET")
+          ->type_name("DIR")
+          ->group(group);
   joints->needs(out)->excludes(ball);
   for (const char* of_one : {"--centre", "--landmarks", "--ball-part", "--socket-part", "--config"})
     joints->excludes(app.get_option(of_one));
@@ -306,7 +307,7 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
   app.add_flag("--xml", command->xml, "print what 3D Slicer makes a window of, and do nothing else")
       ->group(group);
   command->app = &app;
-  app.callback([command, use_config, &screen, &work] {  // once nothing is left over
+  app.callback([command, use_config, &screen, &work] {  // runs once nothing is left over
     use_config();
     require_consistent(*command);
     work = [command, &screen] { run(*command, screen); };

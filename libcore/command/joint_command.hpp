@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Commands that ask a question of a joint, or of all joints of a folder, and those that ask none.
+// Commands that ask a question about a joint, or about all joints of a folder, and the other commands.
 #pragma once
 
 #include <exception>
@@ -17,31 +17,30 @@ struct Screen {
   std::ostream& log;
 };
 
-/// The line of an error that leaves no memory to put one together.
+/// The error line when there is no memory left to compose one.
 inline constexpr const char* kNoMemory =
     "there is not enough memory; choose a coarser --precision or smaller meshes";
 
-/// What is wrong with a command line, and where to look: what() is one line.
+/// What is wrong with a command line, and where to look; what() is one line.
 class CommandError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-/// Another program has said why: only its exit code is left to give.
+/// Another program has already said why; only its exit code remains.
 struct Refused : std::exception {
   explicit Refused(int with) : code(with) {}
   int code;
 };
 
-/// Adds each question (command/question_command.hpp) as a command. The one that is given sets `work` to what
-/// it will do.
+/// Adds each question (command/question_command.hpp) as a command. The command that is given sets `work` to
+/// what it will do.
 void add_joint_commands(CLI::App& program, const Screen& screen, std::function<void()>& work);
 
 /// `impinge hip`: meshes of a hip from parameters.
 void add_hip_command(CLI::App& program, const Screen& screen, std::function<void()>& work);
 
-/// `impinge check`: runs the checker of certificates, a program of its own in Python that shares no code with
-/// this one.
+/// `impinge check`: runs the checker of certificates, a Python program that shares no code with this one.
 void add_check_command(CLI::App& program, const Screen& screen, std::function<void()>& work);
 
 }  // namespace impinge

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A number is one thickness, anything else a file.
+// "scan" takes the scan's smallest gap, a number is one thickness, anything else is a file.
 void set_cartilage(const std::string& text, JointOptions& options) {
   options.cartilage_of_scan = text == "scan";
   if (options.cartilage_of_scan) return;
@@ -43,7 +43,7 @@ void set_cartilage(const std::string& text, JointOptions& options) {
   }
 }
 
-// What the file says and the command line does not.
+// Takes from the file what the command line does not give.
 void use_description(const CLI::App& command, const fs::path& file, JointOptions& options) {
   const JointDescription said = read_description(file);
   const auto open = [&](const char* option) { return command.count(option) == 0; };
@@ -56,7 +56,7 @@ void use_description(const CLI::App& command, const fs::path& file, JointOptions
   if (open("--cartilage") && said.cartilage_mm) options.cartilage_mm = said.cartilage_mm;
 }
 
-// A file of bone, or the largest of its pieces alone, which `said` then tells.
+// Reads a file of bone. With keep_largest it keeps only the largest piece, and `said` tells of the others.
 TriangleMesh read_file(const fs::path& file, bool keep_largest, std::vector<std::string>& said) {
   TriangleMesh mesh = read_mesh(file);
   if (!keep_largest) return mesh;
@@ -65,7 +65,7 @@ TriangleMesh read_file(const fs::path& file, bool keep_largest, std::vector<std:
   return mesh;
 }
 
-// A part is called as its file is.
+// A part is named after its file.
 NamedMesh read_bone(const fs::path& file, const std::vector<fs::path>& parts, bool keep_largest,
                     std::vector<std::string>& said) {
   NamedMesh bone{file.string(), read_file(file, keep_largest, said)};
@@ -124,11 +124,10 @@ std::function<void()> add_joint_options(CLI::App& command, JointOptions& options
   add("--landmarks", options.landmarks, "FILE",
       "points of 3D Slicer (.mrk.json, .fcsv, its table), or a CSV label,x,y,z, that give the frames of "
       "pelvis and femur");
-  read(
-      "--cartilage", "MM|scan|FILE",
-      "thickness of both layers together [none for limits, else 4], the smallest gap as scanned, or a CSV of "
-      "it by place: x,y,z,thickness_mm",
-      [](Text text, const char* /*name*/, JointOptions& of) { set_cartilage(text, of); });
+  read("--cartilage", "MM|scan|FILE",
+       "thickness of both layers together in mm; scan: the smallest gap as scanned; FILE: a CSV of "
+       "x,y,z,thickness_mm [none for limits, else 4]",
+       [](Text text, const char* /*name*/, JointOptions& of) { set_cartilage(text, of); });
   read("--keep", "all|largest", "of each file all pieces, or the largest alone [all]",
        [](Text word, const char* name, JointOptions& of) {
          constexpr std::array<std::string_view, 2> kWords{"all", "largest"};
@@ -139,8 +138,8 @@ std::function<void()> add_joint_options(CLI::App& command, JointOptions& options
       ->check(in_range(kNotNegative))
       ->excludes(
           describe(command.add_flag("--ignore-rest-contact", options.ignore_rest_contact,
-                                    "what comes on top of contact as scanned: --overlap of the least tenth "
-                                    "of a millimetre that leaves none"),
+                                    "accept the contact of the scan: --overlap with the least tenth of a "
+                                    "millimetre that leaves none"),
                    ""));
   add("--config", options.config, "FILE",
       "JSON with side, axes, centre, parts, landmarks, cartilage_mm of the joint");

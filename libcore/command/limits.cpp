@@ -25,7 +25,7 @@ std::string bracket(const TurnLimit& limit) {
   return "free to " + low + ", unknown beyond";
 }
 
-// As "20.8 to 61.9 degrees".
+// Such as "20.8 to 61.9 degrees".
 std::string range_text(const CentreInterval& range) {
   const std::string from = rounded_down(range.low_deg, 1);
   if (!range.limited) return range.low_deg > 0.0 ? "none before " + from + " degrees" : "unknown";
@@ -44,7 +44,7 @@ std::string row_of(const std::vector<std::string>& cells) {
 
 std::string kind_of(const LimitsAnswer& found) { return found.rim ? "rim alone" : "bone on bone"; }
 
-// Of each motion a line: contact about the ball's centre, and the gap of the cartilage where one is given.
+// A line for each motion: contact about the ball's centre, and the gap of the cartilage if one is given.
 std::string table_of(const LimitsAnswer& found) {
   const auto with_gap = [](const LimitAnswer& limit) { return limit.told.threshold_mm > 0.0; };
   const bool any_gap = std::any_of(found.limits.begin(), found.limits.end(), with_gap);
@@ -75,7 +75,7 @@ std::string sentence(const LimitAnswer& of) {
     case LimitState::free:
       return "none up to " + low + " degrees";
     case LimitState::blocked:
-      return "reached before it begins" + (of.meets() ? ", " + *of.meets() : "");
+      return "reached at the start" + (of.meets() ? ", " + *of.meets() : "");
     case LimitState::limited:
       return "between " + rounded_down(limit.low_deg, 4) + " and " + rounded_up(limit.high_deg, 4) +
              " degrees" + (of.hours ? " at " + clock_text(*of.hours) + " o'clock" : "") + ", " +
@@ -88,7 +88,7 @@ std::string sentence(const LimitAnswer& of) {
   return "none up to " + low + " degrees, where surfaces graze; unknown beyond";
 }
 
-// What half a millimetre changes, and more of the ball, each on a line of its own below the limit.
+// Lines below a limit: what half a millimetre changes, and what more of the ball would change.
 std::string doubts(const ToldLimit& told, double within_mm) {
   const TurnLimit& limit = told.limit;
   if (limit.state == LimitState::blocked) return "";

@@ -9,7 +9,7 @@
 namespace impinge {
 namespace {
 
-// As "; published: mean 40.9, sd 7 (Hack 2010)"; empty where nothing is.
+// Such as "; published: mean 40.9, sd 7 (Hack 2010)"; empty if nothing is published.
 std::string published_text(const PublishedMeasure& published) {
   if (published.source.empty()) return "";
   const std::string numbers = published.mean

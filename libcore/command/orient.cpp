@@ -15,14 +15,15 @@ std::string orientation_csv(const OrientAnswer& found) {
       {"anteversion_deg", "deg", "radiographic, of the middle"},
       {"half_width_deg", "deg", "from the middle to the sides"},
       {"state", "", "free, blocked, open or unknown"},
-      {"motion", "", "the required motion, or one of them, that is so; none where all are free"}};
+      {"motion", "",
+       "the required motion that decides the state, one of them if several do; none where all are free"}};
   for (const OrientationCell& cell : found.cells)
     table.add_row({cell.middle.inclination_deg, cell.middle.anteversion_deg, cell.half_deg, name(cell.state),
                    cell.leg ? found.legs[*cell.leg] : std::string()});
   return to_csv(table);
 }
 
-// Where to turn it, and how.
+// Where to turn the socket, and how.
 std::string nearest_text(const OrientAnswer& found) {
   if (!found.nearest_free) return "nearest free        none: no square of the map is\n";
   const auto& [to, axis, at_least_deg] = *found.nearest_free;

@@ -18,7 +18,7 @@
 namespace impinge {
 namespace {
 
-constexpr const char* kRowsVersion = "poses 1";  // of the code that answers: rows of another one are not kept
+constexpr const char* kRowsVersion = "poses 1";  // of the answers: rows of another version are not kept
 
 std::string line_of(const std::vector<Cell>& cells) {
   std::string line;
@@ -26,7 +26,7 @@ std::string line_of(const std::vector<Cell>& cells) {
   return line + "\n";
 }
 
-// BlenderROMFinder's column is there where its columns are asked of; 1 is free of contact.
+// Poses with BlenderROMFinder's columns also get its column Valid_pose; 1 means no contact.
 bool has_valid_pose(const PoseList& list, const PosesRequest& request) {
   return list.kind == PoseKind::steps && request.asks(PosesOutput::touch);
 }
@@ -54,7 +54,7 @@ std::string text_of_row(const PosesRequest& request, const PoseList& list, const
   return line_of(cells);
 }
 
-// What all rows say together, from their text: some of them may be from an earlier run.
+// Summarises all rows from their text, since some may be from an earlier run.
 class Tally {
  public:
   void add(std::string_view row) {
@@ -85,10 +85,10 @@ class Tally {
   std::size_t touching_ = 0;
 };
 
-// The rows, in a file that they are added to where there is a folder for it.
+// The rows, kept in a file if there is a folder for it.
 class Rows {
  public:
-  // Keeps the whole rows below this head that the file has.
+  // Keeps the complete rows that the file has below the same head.
   Rows(const Work& work, const std::string& key, const std::string& head) {
     if (!work.out) return;
     whole_ = work.output("poses.csv");
@@ -107,7 +107,7 @@ class Rows {
     require_good();
   }
 
-  // What was added can be read.
+  // Afterwards the new rows can be read from the file.
   void add(const std::vector<std::string>& rows) {
     for (const std::string& row : rows) {
       tally_.add(row);
@@ -116,7 +116,7 @@ class Rows {
     out_.flush();
     require_good();
   }
-  // The whole file, which is kept until it is in place.
+  // The complete file; it stays until it is in place.
   std::vector<std::shared_ptr<TemporaryFile>> finished() {
     if (file_.empty()) return {};
     out_.close();

@@ -30,7 +30,7 @@ void require_command(const std::string& word, const CLI::App& program) {
   place_among(word, words, "impinge");
 }
 
-// The command that is given, else the program.
+// The command that is given, or the program itself.
 const CLI::App& asked(const CLI::App& program) {
   const auto given = program.get_subcommands();
   return given.empty() ? program : *given.back();
@@ -41,7 +41,7 @@ std::string full_name(const CLI::App& command) {
   return (command.get_parent() ? "impinge " : "") + command.get_name();
 }
 
-// Of the words that nothing expects the first option, else the first, and what may be meant.
+// What is wrong with the words left over, and what may be meant. Options come before other words.
 std::string unexpected(const CLI::App& program) {
   const std::vector<std::string> extras = program.remaining(true);
   const auto option = std::find_if(extras.begin(), extras.end(), [](const auto& x) { return x[0] == '-'; });
@@ -61,7 +61,7 @@ std::string unexpected(const CLI::App& program) {
   return text + others;
 }
 
-// What is wrong with the command line. What says "clearance_mm: " of a request says "--clearance: " here.
+// The error of a command line. "clearance_mm: " of a request becomes "--clearance: " here.
 std::string advice(const CLI::App& program, std::string what) {
   const CLI::App& command = asked(program);
   const std::string field = what.substr(0, what.find(':'));
@@ -70,7 +70,7 @@ std::string advice(const CLI::App& program, std::string what) {
   return one_line(what + (what.back() == '?' ? " See " : "; see ") + full_name(command) + " --help");
 }
 
-// An empty text is what a script gives whose variable is not set.
+// Scripts give an empty text where a variable is not set.
 void refuse_empty_values(CLI::App& program) {
   const CLI::Validator given(
       [](const std::string& text) {
@@ -81,7 +81,7 @@ void refuse_empty_values(CLI::App& program) {
     for (CLI::Option* option : command->get_options()) option->transform(given);  // before all other checks
 }
 
-// CLI11 lists at each option all that it excludes, which is longer than the option; their texts say it.
+// CLI11 lists at each option all that it excludes. This is longer than the option, whose text says it anyway.
 class Help : public CLI::Formatter {
  public:
   std::string make_option_opts(const CLI::Option* option) const override {
@@ -149,7 +149,7 @@ int run_program(int argc, const char* const* argv, std::ostream& out, std::ostre
   } catch (const CommandError& error) {
     return fail(error.what(), 2);
   } catch (const std::bad_alloc&) {
-    log << "impinge: error: " << kNoMemory << std::endl;  // without asking for more
+    log << "impinge: error: " << kNoMemory << std::endl;  // needs no more memory
     return 1;
   } catch (const std::exception& error) {
     return fail(error.what(), 1);

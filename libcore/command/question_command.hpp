@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A question of a joint as a command: options fill a request, the answer becomes words, a document and files.
+// A question about a joint as a command: options fill the request; the answer becomes words and files.
 #pragma once
 
 #include <cstddef>
@@ -29,20 +29,20 @@ namespace impinge {
 
 /// What a question may use while it works.
 struct Work {
-  std::optional<std::filesystem::path> out;  // a folder that there is; none: nothing is written
+  std::optional<std::filesystem::path> out;  // an existing folder; none: nothing is written
   std::size_t threads = 1;
   std::ostream* log = nullptr;                  // for warnings and progress
   bool quiet = false;                           // no progress
-  std::vector<std::filesystem::path> inputs{};  // no output takes their place
-  MeshFormat mesh_format = MeshFormat::ply;     // of meshes that are written
+  std::vector<std::filesystem::path> inputs{};  // outputs never replace them
+  MeshFormat mesh_format = MeshFormat::ply;     // format of written meshes
 
-  /// A line of progress.
+  /// Prints a line of progress.
   void say(const std::string& line) const;
-  /// A line that says what looks wrong.
+  /// Prints a line about what looks wrong.
   void warn(const std::string& line) const;
-  /// A file in `out`; std::runtime_error if it is an input.
+  /// The path of a file in `out`. Throws std::runtime_error if it is an input.
   std::filesystem::path output(const std::string& name) const;
-  /// The name of a mesh's file.
+  /// The file name of a mesh.
   std::string mesh_file(const std::string& stem) const;
 };
 
@@ -57,33 +57,33 @@ struct Told {
   std::string words{};                                  // lines for a terminal
   Json document{};                                      // of the answer
   std::vector<AnswerFile> files{};                      // beside summary.json; written together
-  std::vector<std::shared_ptr<TemporaryFile>> wrote{};  // while it worked; put in place with those above
+  std::vector<std::shared_ptr<TemporaryFile>> wrote{};  // during the work; put in place with `files`
   std::vector<std::filesystem::path> spent{};  // of an interrupted run; removed once the answer is in place
   std::string table_name{};                    // such as "limits.csv"; empty: it has none
   Table table{};                               // rows of that file, without the column `joint`
-  std::vector<HeadlineColumn> row_of_one{};    // of joints.csv (--joints), where there is no table
+  std::vector<HeadlineColumn> row_of_one{};  // the joint's row of joints.csv (--joints), if there is no table
 };
 
 /// A command that asks one question of a joint.
 struct QuestionCommand {
-  std::string name;                              // of the command
-  std::string text;                              // of its help, one sentence
+  std::string name;                              // name of the command
+  std::string text;                              // its help, one sentence
   std::string example;                           // what follows "impinge NAME"
-  std::function<void(CLI::App&)> add_options{};  // of the request
+  std::function<void(CLI::App&)> add_options{};  // adds those of the request
   std::vector<const char*> without{};            // options of the joint that it does not take
-  bool takes_map = false;                        // of the thickness of cartilage
-  bool writes_meshes = false;                    // in a format that can be chosen
+  bool takes_map = false;                        // does it take a map of the cartilage?
+  bool writes_meshes = false;                    // does it write meshes in a format that can be chosen?
   std::function<void(double cartilage_mm)> use_cartilage{};
-  std::function<ScanContactOptions()> scan_contact{};  // what of the pose of the scan is worth a warning
-  std::function<void()> check{};    // std::invalid_argument where what is asked does not go together
-  std::function<Json()> request{};  // as JSON
-  std::function<std::vector<std::filesystem::path>()> files{};  // that it names
-  std::function<Told(Session&, const Work&)> ask{};  // std::exception, one line, where there is no answer
+  std::function<ScanContactOptions()> scan_contact{};  // which contact as scanned deserves a warning
+  std::function<void()> check{};    // throws std::invalid_argument if options exclude each other
+  std::function<Json()> request{};  // the request as JSON
+  std::function<std::vector<std::filesystem::path>()> files{};  // files that the request names
+  std::function<Told(Session&, const Work&)> ask{};  // throws std::exception, one line, without an answer
   Json request_schema = Json::object();
   Json answer_schema = Json::object();
 };
 
-/// Where a request has a gap that counts as contact, it says how large it is and which option gave it.
+/// If a request has a gap that counts as contact, this has its size and the option that gave it.
 template <class Request>
 ScanContactOptions scan_contact_of(const Request& request) {
   ScanContactOptions told{.overlap = "--ignore-rest-contact"};
@@ -106,8 +106,7 @@ std::vector<std::filesystem::path> files_of(const Request& request) {
   return files;
 }
 
-/// The question of which `Request` holds what is asked and `told(session, request, work)` gives all forms of
-/// the answer, an `Answer`.
+/// The question of a `Request`. `told(session, request, work)` gives all forms of the `Answer`.
 template <Described Request, Described Answer>
 QuestionCommand question_of(std::string name, std::string text, std::string example,
                             Told (*told)(Session&, const Request&, const Work&)) {
@@ -129,13 +128,13 @@ QuestionCommand question_of(std::string name, std::string text, std::string exam
   return made;
 }
 
-/// The questions that there are, each in a file of its own.
+/// All questions, each in a file of its own.
 QuestionCommand gaps_question();
 QuestionCommand poses_question();
 QuestionCommand touch_question();
 QuestionCommand limits_question();
 struct LimitsAnswer;
-/// Lines for a terminal: of one motion each limit with what it hangs on, of several a table.
+/// Lines for a terminal: for one motion each limit and what it depends on, for several a table.
 std::string describe(const LimitsAnswer& found);
 QuestionCommand certify_question();
 QuestionCommand measure_question();

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The lists of README.md beside this file: options from --help of each command, keys from the schemas of its documents.
+"""Makes the lists of the README.md beside this file: options from each command's --help, keys from the schemas of its documents.
 
     reference.py IMPINGE             says whether the page has them; exit code 1 where it has not
     reference.py IMPINGE --write     puts them there
@@ -31,7 +31,7 @@ def table(head, rows):
 
 
 def options(help_text):
-    """Of --help: under each heading the options, each with its type, its text and its default, which [] holds."""
+    """Reads --help: for each heading its options, each with type, text and the default, which stands in []."""
     groups, rows = {}, None
     for line in help_text.splitlines():
         if re.fullmatch(r"[A-Z][\w ]*:", line):
@@ -60,7 +60,7 @@ UNITS = {"mm": "_mm", "deg": "_deg", "mm^2": "_mm2", "mm^3": "_mm3", "deg^2": "_
 
 
 class Keys:
-    """Keys of objects in the order of a schema; an object whose keys were told before refers to that one."""
+    """Lists the keys of objects in the order of a schema. Keys that were listed before are only referred to."""
 
     def __init__(self):
         self.told = {}
@@ -86,7 +86,7 @@ class Keys:
 
 
 def lists(program):
-    """What every question has, and what each has."""
+    """The lists for all questions, and for each one."""
     keys, text, joint, common = Keys(), "", {}, ""
     for command in QUESTIONS:
         schema = json.loads(said(program, command, "--schema"))

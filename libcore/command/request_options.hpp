@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Options of a command from the fields of a request (files/fields.hpp): clearance_mm becomes --clearance MM,
-// with its text, its range and the value that it has when it is not given.
+// Makes options of a command from the fields of a request (files/fields.hpp): clearance_mm becomes
+// --clearance MM, with its text, range and default.
 #pragma once
 
 #include <concepts>
@@ -20,16 +20,16 @@
 
 namespace impinge {
 
-/// "--clearance" of "clearance_mm".
+/// Turns "clearance_mm" into "--clearance".
 std::string option_name(std::string_view field);
-/// "MM" of "mm"; "NUMBER" without a unit.
+/// Turns "mm" into "MM"; "NUMBER" without a unit.
 std::string type_name(std::string_view unit);
-/// Of numbers, or of whole ones alone.
+/// Accepts numbers in a range; with `whole` only whole numbers.
 CLI::Validator in_range(const Range& range, bool whole = false);
-/// Three numbers as X,Y,Z; CLI::ValidationError.
+/// Reads three numbers X,Y,Z. Throws CLI::ValidationError.
 Vec3 place_option(const std::string& option, const std::string& text);
 
-/// "left|right", or "MOTION".
+/// The type shown in the help: "left|right", or "MOTION".
 template <class T>
 requires(InWords<T> || std::same_as<T, Motion> || std::same_as<T, std::optional<Motion>>) std::string
     words_or_motion(const char* between) {
@@ -39,7 +39,7 @@ requires(InWords<T> || std::same_as<T, Motion> || std::same_as<T, std::optional<
   return text;
 }
 
-/// One of the words that name `value`, which holds the default.
+/// Adds an option with the words that name `value`; `value` holds the default.
 template <InWords Value>
 CLI::Option* add_word(CLI::App& command, const std::string& name, Value& value, const std::string& text) {
   return command
@@ -87,7 +87,7 @@ void add_field(CLI::App& command, const Field<Get>& field, Request& request) {
   option->group("The question");
 }
 
-/// One option for each field, but for cartilage_mm, which is the joint's --cartilage.
+/// Adds an option for each field but cartilage_mm, which is the joint's --cartilage.
 template <Described Request>
 void add_request(CLI::App& command, Request& request) {
   for_each_field<Request>([&](const auto& field) {

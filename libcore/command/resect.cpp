@@ -11,7 +11,7 @@
 namespace impinge {
 namespace {
 
-// A row for each stretch of rays, so that a cell may have several.
+// One row for each stretch of a cell's rays; a cell may have several.
 std::string swept_csv(const std::vector<LeastCut::Cell>& cells) {
   Table table;
   for (const char* corner : {"a", "b", "c"}) {

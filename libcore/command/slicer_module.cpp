@@ -37,7 +37,7 @@ std::string element(const char* indent, const char* tag, std::string_view text) 
   return std::string(indent) + "<" + tag + ">" + escaped(text) + "</" + tag + ">\n";
 }
 
-// "Keep" of "--keep", "Ball part" of "--ball-part", "BALL".
+// Turns "--keep" into "Keep", "--ball-part" into "Ball part"; "BALL" stays.
 std::string label_of(const CLI::Option& option) {
   std::string label = option.get_positional() ? option.get_name() : option.get_lnames().front();
   std::replace(label.begin(), label.end(), '-', ' ');
@@ -45,7 +45,7 @@ std::string label_of(const CLI::Option& option) {
   return label;
 }
 
-// What [] at the end of the text holds, where it is a value and no sentence.
+// What stands in [] at the end of a text, if it is a value and no sentence.
 std::string default_of(const std::string& text) {
   if (text.empty() || text.back() != ']') return "";
   const std::size_t begin = text.rfind('[') + 1;
@@ -64,7 +64,7 @@ std::vector<std::string> words_between(const std::string& text, char separator) 
   return words;
 }
 
-// The tag with its attributes, what is told of the value, and the words of an enumeration.
+// The tag with its attributes, what the value is, and the words of an enumeration.
 struct Kind {
   std::string tag;
   std::string attributes{};
@@ -73,7 +73,7 @@ struct Kind {
   std::vector<std::string> words{};
 };
 
-// A number has a field of its own only where it has a default: Slicer gives every number.
+// Only a number with a default gets a field for numbers, since Slicer always passes such a field.
 Kind kind_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::string value = default_of(option.get_description());
@@ -115,7 +115,7 @@ std::string parameter_of(const CLI::Option& option, std::size_t& index) {
   return xml + "    </" + kind.tag + ">\n";
 }
 
-// Not for a window: what prints and ends, many joints at a time, what the script chooses.
+// False for options that print and end, take many joints, or are set by the script.
 bool is_for_windows(const CLI::Option& option) {
   constexpr std::array<const char*, 7> kNot{"help",  "json",   "schema",     "xml",
                                             "quiet", "joints", "mesh-format"};

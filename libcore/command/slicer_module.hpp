@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A command as a module of 3D Slicer.
+// Describes a command as a module of 3D Slicer.
 #pragma once
 
 #include <string>
@@ -8,9 +8,8 @@
 
 namespace impinge {
 
-/// The description of a command that asks a question of a joint, in the XML of Slicer's execution model: a
-/// panel for each group of options, a parameter for each option that a window can set. Flags have _ for -, as
-/// the schema of CTK asks.
+/// The description of a question's command in the XML of Slicer's execution model: a panel for each group of
+/// options and a parameter for each option that a window can set. CTK's schema wants _ for - in flags.
 std::string slicer_module(const CLI::App& command);
 
 }  // namespace impinge

@@ -21,11 +21,11 @@
 namespace impinge {
 namespace {
 
-// Of the test of a cell and the order of cells: verdicts of another one are not taken.
+// Version of the test and order of cells; verdicts of another version are not taken.
 constexpr const char* kVerdicts = "volume 4";
 
-// Verdicts of an interrupted run, as bytes: four words each, and a fifth that only those of this place,
-// question and version have. What does not match is worked out again, with all that follows.
+// Verdicts of an interrupted run, as bytes: four words each, and a fifth that belongs to this place, question
+// and version. From the first that does not match, everything is worked out again.
 class VerdictFile {
  public:
   VerdictFile(const std::filesystem::path& folder, const std::string& key)
@@ -44,7 +44,7 @@ class VerdictFile {
   const std::vector<CellVerdict>& known() const { return known_; }
   const std::filesystem::path& file() const { return file_; }
 
-  // Those that are known already are not written again.
+  // Writes the new verdicts; those already known are in the file.
   void add(std::span<const CellVerdict> verdicts) {
     const std::size_t again = std::min(verdicts.size(), known_.size() - std::min(known_.size(), seen_));
     std::string bytes;
@@ -136,8 +136,8 @@ std::string words_of_volume(const VolumeAnswer& found, double width) {
   return text;
 }
 
-// Until the answer is in place, volume-KEY.part holds what was worked out: a later run goes on from there and
-// ends with the same bytes.
+// Until the answer is in place, volume-KEY.part holds what was worked out. A later run continues from there
+// and ends with the same bytes.
 VolumeAnswer refined(Session& session, const VolumeRequest& request, const Work& work, Told& told) {
   std::optional<VerdictFile> part;
   if (work.out) part.emplace(*work.out, answer_key(*session.joint, json_of(request), kVerdicts));

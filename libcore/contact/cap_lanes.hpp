@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a pose takes the caps of a block (contact/gap_bounds.hpp) and what limits they have there
-// (contact/cap_limits.hpp), in loops without a branch that the compiler turns into vector instructions.
+// Finds where a pose takes the caps of a block (contact/gap_bounds.hpp) and which limits they have there
+// (contact/cap_limits.hpp), in loops without branches that the compiler turns into vector instructions.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace impinge::lanes {
 
-inline float larger(float a, float b) { return a > b ? a : b; }  // of NaN the second
+inline float larger(float a, float b) { return a > b ? a : b; }  // b if one is NaN
 inline float smaller(float a, float b) { return a < b ? a : b; }
 inline std::int32_t larger(std::int32_t a, std::int32_t b) { return a > b ? a : b; }   // of the two
 inline std::int32_t smaller(std::int32_t a, std::int32_t b) { return a < b ? a : b; }  // of the two
@@ -24,10 +24,9 @@ inline float dot(const std::array<float, 3>& by, const CapBlock& block, std::siz
   return by[0] * block.x[k] + by[1] * block.y[k] + by[2] * block.z[k];
 }
 
-/// T cos(b - angle), or T where the cap holds the direction of o: no w . o is larger but by the rounding that
-/// gap_bounds.hpp counts. Sums of so many terms of a series whose signs change are above or below sine and
-/// cosine of any angle. T sin b is rounded upwards: where o is along the axis all digits of it are lost, and
-/// where o points against it the sine decides.
+/// Upper bound on w . o but for the rounding that gap_bounds.hpp counts: T cos(b - angle), or T if the cap
+/// holds the direction of o. Sine and cosine are replaced by the first terms of their alternating series,
+/// which bound them. T sin b is rounded upwards, as it loses all digits if o is along the axis.
 inline float most_along(float along, float angle, float shift) {
   const float square = angle * angle;
   const float low = 1.0F - 0.5F * square;
@@ -39,7 +38,7 @@ inline float most_along(float along, float angle, float shift) {
   return along >= low * shift ? shift : smaller(edge, shift);
 }
 
-/// Bounds on |x| of the vertices of a node, mm: the most for those of the ball, the least for the socket's.
+/// Bound on |x| of the vertices of a node, mm: an upper one for the ball, a lower one for the socket.
 template <Surface kScanned>
 inline float length_of(const CapBlock& block, const CapMove& move, std::size_t k) {
   const float shift = move.shift;
@@ -59,13 +58,14 @@ inline float length_of(const CapBlock& block, const CapMove& move, std::size_t k
   }
 }
 
-/// Angle that holds the directions of a node's vertices, radians; infinite or NaN where any is possible.
+/// Radius of a cap that holds the directions of a node's vertices, radians; infinite or NaN if any is
+/// possible.
 inline float angle_of(const CapBlock& block, const CapMove& move, std::size_t k) {
   const float rest = larger(block.low[k] * (1.0F - static_cast<float>(kNodeSlack)) - move.shift, 0.0F);
   return (block.angle[k] * block.low[k] + move.shift * block.spread[k]) / rest;
 }
 
-/// Where the pose takes the caps of a block.
+/// The caps of a block, moved by the pose.
 template <Surface kScanned>
 inline MovedCaps moved_lanes(const CapBlock& block, const CapMove& move) {
   MovedCaps caps;
@@ -82,7 +82,7 @@ inline MovedCaps moved_lanes(const CapBlock& block, const CapMove& move) {
 /// An integer for each node of a block.
 using WholeLanes = std::array<std::int32_t, CapBlock::kLanes>;
 
-/// The level (cap_limits.hpp) that answers for a cap of each of these angles.
+/// The levels (cap_limits.hpp) that answer for caps of these angles.
 inline WholeLanes levels_of(const CapLanes& angle, const CapLevels& levels) {
   WholeLanes level;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
@@ -94,15 +94,14 @@ inline WholeLanes levels_of(const CapLanes& angle, const CapLevels& levels) {
   return level;
 }
 
-/// The line nearest to a place on a grid of so many cells. Whatever the numbers are, NaN too, it is one of
-/// them.
+/// The line nearest to a place on a grid of so many cells. It is a line of the grid even for NaN.
 inline std::int32_t line(float place, float scale, std::int32_t cells) {
   const auto most = static_cast<float>(cells);
   const float at = place * scale + (0.5F * most + 0.5F);
   return static_cast<std::int32_t>(smaller(larger(at, 0.0F), most));
 }
 
-/// The entry nearest to the middle of each cap, as CapLimits::look_up() has it.
+/// The entry nearest to the middle of each cap, as in CapLimits::look_up().
 inline WholeLanes entries_of(const MovedCaps& caps, const WholeLanes& steps) {
   WholeLanes entry;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {

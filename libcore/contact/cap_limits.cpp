@@ -12,11 +12,11 @@ namespace impinge {
 namespace {
 
 constexpr double kMostCells = 255.0;
-// At least: c is at most an eleventh of the reach, where the grid is not too fine.
+// With so many cells or more c is at most an eleventh of the reach, unless the grid would be too fine.
 constexpr float kCellsPerReach = 16.0F;
 constexpr float kFinestReach = 2.0F;      // in cells of the finest grid
 constexpr double kEntriesPerFace = 0.35;  // of the finest grid for caps
-constexpr double kResolution = 0.5;       // of c: nodes as narrow as that are taken whole
+constexpr double kResolution = 0.5;       // share of c; nodes as narrow as that are taken whole
 
 // Directions of the entries of a grid.
 std::vector<Vec3> entries(std::size_t cells) {
@@ -40,7 +40,7 @@ struct Level {
   std::vector<float> limits;
 };
 
-// Makes levels, from that of the least reach to the widest: what a narrow cap holds, a wide one holds too.
+// Makes the levels from the least reach to the widest: a wide cap holds all that a narrow one in it holds.
 class LevelsBuilder {
  public:
   LevelsBuilder(const TriangleMesh& mesh, Layer layer) : search_(mesh, layer) {}

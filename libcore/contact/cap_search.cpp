@@ -12,7 +12,7 @@
 namespace impinge {
 namespace {
 
-// Squares of chords over those of angles up to a quarter turn are no less; and of the chord of about that.
+// For angles up to a quarter turn (chord / angle)^2 is no less than this.
 constexpr float kInverseOfQuarter = 1.0F / (1.1108F * 1.1108F);
 constexpr float kLongestChord = 1.4F * 1.4F;
 
@@ -70,7 +70,7 @@ float CapSearch::limit(const DirectionCap& cap, double resolution, float known) 
                known};
   limit_ = known;
   if (tree_.blocks().empty()) return limit_;
-  // What decided the cap before may be in this one: the rest is soon left out.
+  // The node that decided the cap before may be in this one too; then the rest is soon left out.
   if (decisive_.block != 0 && (look_at(decisive_.block).whole >> decisive_.lane & 1U) != 0) take(decisive_);
   visit(0);
   return limit_;
@@ -91,7 +91,7 @@ void CapSearch::take(const CapNode& node) {
   decisive_ = node;
 }
 
-// First what is taken whole, since it may decide the rest.
+// Takes whole nodes first, since they may decide the rest.
 void CapSearch::visit(std::uint32_t at) {
   const CapBlock& block = tree_.blocks()[at];
   const FoundNodes found = look_at(at);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The limit of a cap of directions: how near to the centre, or far from it, the faces that meet it come.
+// Finds the limit of a cap of directions: how near to the centre, or how far from it, the faces in it come.
 #pragma once
 
 #include <cmath>
@@ -12,31 +12,31 @@
 
 namespace impinge {
 
-/// Nodes of a block that may change the limit of a cap, a bit each.
+/// Nodes of a block that may change the limit of a cap, one bit for each.
 struct FoundNodes {
-  std::uint32_t whole = 0;  // all that they hold is in the cap, or they are narrow and meet it
-  std::uint32_t part = 0;   // the rest of those that meet it
+  std::uint32_t whole = 0;  // nodes that lie within the cap, and narrow ones that meet it
+  std::uint32_t part = 0;   // other nodes that meet it
 };
 
-/// A cap as nodes are compared with it, in floats: kNodeSlack, which caps have, covers the rounding.
+/// A cap in floats, for the comparison with nodes. The kNodeSlack of nodes covers the rounding.
 struct ComparedCap {
   float x, y, z;     // axis
   float radius;      // radians
-  float resolution;  // the same
-  float sign;        // -1 for the nearest: of what is multiplied by it the largest counts
+  float resolution;  // radians
+  float sign;        // -1 for the nearest layer, else 1: of radii times this the largest counts
   float known;       // sign times the limit so far
 };
 
 class CapSearch {
  public:
-  /// mesh in the centre frame. Faces whose plane holds the centre are left out.
+  /// `mesh` is in the centre frame. Faces whose plane holds the centre are left out.
   CapSearch(const TriangleMesh& mesh, Layer layer);
 
-  /// The least radius of all faces that meet the cap (the largest for Layer::farthest), mm, rounded away from
-  /// the radii; of none infinite (-infinite). Nodes of `resolution` radians are taken whole, so that faces a
-  /// little beyond the cap may count. `known`, the limit of a cap within this one or none(), saves time.
+  /// The least radius of all faces that meet the cap (the largest for Layer::farthest), mm, rounded outwards;
+  /// none() without a face. Nodes of `resolution` radians are taken whole, so that faces a little beyond the
+  /// cap may count. `known`, the limit of a cap within this one, or none(), saves time.
   float limit(const DirectionCap& cap, double resolution, float known);
-  /// The limit where no face is met.
+  /// The limit if no face is met.
   float none() const { return nearest_ ? HUGE_VALF : -HUGE_VALF; }
 
  private:
@@ -53,7 +53,7 @@ class CapSearch {
   DirectionCap cap_;
   ComparedCap compared_{};
   float limit_ = 0.0F;
-  CapNode decisive_{0, 0};  // that gave a limit last
+  CapNode decisive_{0, 0};  // the node that gave the last limit
 };
 
 }  // namespace impinge

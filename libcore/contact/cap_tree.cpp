@@ -19,11 +19,11 @@ constexpr double kQuarter = 0.5 * kPi;
 float above(double number) { return std::nextafter(static_cast<float>(number), HUGE_VALF); }
 float below(double number) { return std::nextafter(static_cast<float>(number), 0.0F); }
 
-// What a node of a tree is made of, in double.
+// The numbers of a node, in double.
 struct CapSummary {
   DirectionCap cap;     // holds the directions of all parts
   RadiusRange range;    // holds their radii, mm
-  double widest = 0.0;  // cap of a part, radians
+  double widest = 0.0;  // largest cap of a part, radians
 };
 
 // A node, before it is written into its block.
@@ -33,7 +33,7 @@ struct SummarisedNode {
   std::uint32_t items = 0;
 };
 
-// The caps and ranges of several in one. The axis is as exact as a float.
+// One cap and range that hold the caps and ranges of several parts. The axis is as exact as a float.
 CapSummary summary_of(std::span<const CapSummary> parts) {
   CapSummary all;
   all.cap.axis = Vec3::Zero();
@@ -50,7 +50,7 @@ CapSummary summary_of(std::span<const CapSummary> parts) {
   return all;
 }
 
-// Narrows the cap to what parts whose axes are in the cell can have.
+// Narrows the cap to the directions that parts with their axes in the cell can have.
 void keep_to(const CubeCell& cell, CapSummary& summary) {
   double widest = 0.0;
   for (const Vec3& corner : cell_corners(cell))
@@ -58,7 +58,7 @@ void keep_to(const CubeCell& cell, CapSummary& summary) {
   if (widest < kQuarter) summary.cap.radius = std::min(summary.cap.radius, widest + summary.widest);
 }
 
-// Into a lane, rounded outwards.
+// Writes a node into a lane, rounded outwards.
 void write(const SummarisedNode& node, std::size_t lane, CapBlock& block) {
   const CapSummary& summary = node.summary;
   const Eigen::Vector3f axis = summary.cap.axis.cast<float>();
@@ -76,7 +76,7 @@ void write(const SummarisedNode& node, std::size_t lane, CapBlock& block) {
   block.items[lane] = node.items;
 }
 
-// So many items beside each other in the order of a tree.
+// Items that follow each other in the order of a tree.
 struct ItemRun {
   std::uint32_t first;  // place of the first of them
   std::uint32_t count;  // number of them
@@ -100,7 +100,7 @@ class CapTreeBuilder {
   }
 
  private:
-  // By the cells of the last level.
+  // Sorts the items by the cells of the last level.
   void sort() {
     std::vector<Lists::Pair> pairs;
     for (std::uint32_t k = 0; k < items_.size(); ++k)
@@ -116,7 +116,7 @@ class CapTreeBuilder {
     return {begin(cell), begin({cell.level, cell.prefix + 1}) - begin(cell)};
   }
 
-  // The node of a cell; one with a single child is that of the child.
+  // The node of a cell, or the node of its child if there is only one.
   SummarisedNode of_cell(CubeCell cell) {
     for (;;) {
       const ItemRun all = run(cell);
@@ -139,7 +139,7 @@ class CapTreeBuilder {
     }
   }
 
-  // Of items beside each other: up to eight runs of up to eight, or more of the deepest cells.
+  // The node of a run of items: up to eight runs of up to eight items, or more in the deepest cells.
   SummarisedNode of_run(const ItemRun& all) {
     if (all.count == 1) return leaf(all);
     const auto each = static_cast<std::uint32_t>(all.count <= kLanes ? 1 : (all.count + kLanes - 1) / kLanes);
@@ -159,7 +159,7 @@ class CapTreeBuilder {
     return {summary_of(parts), run.first, run.count};
   }
 
-  // A new block of these parts, and the node above it.
+  // Makes a block of these parts, and returns the node above it.
   template <class Part, class Make>
   SummarisedNode fill_block(const std::vector<Part>& parts, const Make& make) {
     const std::size_t block = blocks_.size();
@@ -168,7 +168,7 @@ class CapTreeBuilder {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const SummarisedNode node = make(parts[k]);
       summaries.push_back(node.summary);
-      if (k == 0) {  // in the places that stay empty, too: their numbers are worked on and not looked at
+      if (k == 0) {  // fills the unused places, too: their numbers are computed with, and ignored
         for (std::size_t lane = 0; lane < kLanes; ++lane) write(node, lane, blocks_[block]);
       }
       write(node, k, blocks_[block]);

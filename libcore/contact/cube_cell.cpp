@@ -13,7 +13,7 @@ std::size_t cell_line(double coordinate, std::size_t lines) {
   return std::min(static_cast<std::size_t>(place), lines - 1);
 }
 
-// Bits of the two coordinates at that level: b is halved first.
+// How many bits of the two coordinates a level has; b is halved first.
 struct CellBits {
   explicit CellBits(std::size_t level) : a(3 * level / 2), b(3 * level - a) {}
   std::size_t a;

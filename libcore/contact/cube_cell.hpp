@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cells on the faces of a cube, halved in three steps from level to level, in an order in which those of one
-// cell are neighbours.
+// Cells on the faces of a cube. From level to level each is halved three times; the numbers of its parts
+// follow each other.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace impinge {
 
-/// A cell of a level. `prefix` is the face of the cube, then three bits a level, of coordinates b and a in
-/// turn.
+/// A cell of a level. `prefix` is the face of the cube followed by three bits for each level, taken from the
+/// coordinates b and a in turn.
 struct CubeCell {
   std::size_t level;   // 0 is the face
   std::size_t prefix;  // see above

@@ -15,7 +15,7 @@
 namespace impinge {
 namespace {
 
-// Best first over both scans: the node that may hold the smallest gap is opened next.
+// Searches both scans best first: the node that may hold the smallest gap is opened next.
 class LeastGapSearch {
  public:
   LeastGapSearch(const CulledJoint& joint, const Pose& pose)
@@ -88,7 +88,7 @@ class LeastGapSearch {
 
 }  // namespace
 
-// Everything that takes time: a thread for each surface.
+// The parts that take time to make, one thread for each surface.
 struct CulledJoint::Parts {
   explicit Parts(const BallSocketPair& joint) {
     on_threads(kSurfaces.size(), [&](std::size_t k) {

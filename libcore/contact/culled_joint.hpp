@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Both scans of a joint, culled: whether a vertex impinges, and the smallest gap, without testing most
-/// vertices. The answers are those of testing all of them, in every pose. Theorem 8 (caps).
+/// Tells whether a vertex of a joint impinges, and the smallest gap, without testing most vertices. In every
+/// pose the answers are the same as from testing all of them: Theorem 8 (caps).
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace impinge {
 
-/// The smallest gap; of equal ones the first, in the order of scans and vertices.
+/// The smallest gap; among equal ones the first, in the order of scans and vertices.
 struct LeastGap {
   double gap_mm = 0.0;  // radial
   ScannedVertex at;     // where it is
@@ -21,27 +21,28 @@ struct LeastGap {
 
 class CulledJoint {
  public:
-  /// Meshes in their centre frames, mm; they must outlive this. O(faces + vertices), by two threads.
+  /// Takes the meshes in their centre frames, mm; they must outlive this. O(faces + vertices), on two
+  /// threads.
   explicit CulledJoint(const BallSocketPair& joint);
   explicit CulledJoint(const BallSocketPair&&) = delete;
 
-  /// A vertex of either surface with a gap of 0 or less, by exact signs (gap/exact_side.hpp); nothing
-  /// if and only if there is no such vertex.
+  /// A vertex of either surface with a gap of 0 or less, by exact signs (gap/exact_side.hpp); std::nullopt if
+  /// and only if there is none.
   std::optional<ScannedVertex> impinged(const Pose& pose) const;
 
-  /// Smallest radial gap of all vertices to the mesh; none where no vertex meets the other surface.
+  /// The smallest radial gap of all vertices to the other mesh; std::nullopt if no vertex meets it.
   std::optional<LeastGap> least_gap(const Pose& pose) const;
 
-  /// Is a vertex of that surface, which a pose has at x (mm, frame of the other one), impinged? Exact.
+  /// Is a vertex of `scanned`, which a pose has at x (mm, frame of the other surface), impinged? Exact.
   bool exactly_impinged(Surface scanned, const Vec3& x) const;
-  /// Gap of such a vertex to the faces in its direction, mm; NaN where there are none.
+  /// Gap of such a vertex to the faces in its direction, mm; NaN if there are none.
   double gap(Surface scanned, const Vec3& x) const;
   /// The faces of a surface by direction.
   const NearFaces& faces(Surface of) const { return of == Surface::ball ? ball_ : socket_; }
 
   const std::array<CulledScan, 2>& scans() const { return scans_; }  // ball, socket
   const BallSocketPair& meshes() const { return joint_; }            // as given
-  std::size_t bytes() const;  // of everything that was made, without the meshes
+  std::size_t bytes() const;                                         // of memory, the meshes not included
 
  private:
   struct Parts;

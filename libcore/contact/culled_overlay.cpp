@@ -15,7 +15,7 @@ namespace {
 struct OverlayReach {
   const CapTree& tree;
   const FaceCap& seen;
-  bool of_ball;  // that is moved: it reaches what is no farther than it is
+  bool of_ball;  // the moved face is the ball's: it reaches what is no farther than it is
 };
 
 // Calls visit(item) for the items from block `at` on that may share a direction with the face and be reached
@@ -27,7 +27,7 @@ bool visit_reached(const OverlayReach& reach, std::uint32_t at, const Visit& vis
   for (std::size_t k = 0; k < block.nodes; ++k) {
     if (reach.of_ball ? reach.seen.range.high < block.low[k] : reach.seen.range.low > block.high[k]) continue;
     const Vec3 axis(block.x[k], block.y[k], block.z[k]);
-    if ((axis - reach.seen.cap.axis).norm() > wide + block.angle[k]) continue;  // no longer than the angle
+    if ((axis - reach.seen.cap.axis).norm() > wide + block.angle[k]) continue;  // a chord is below its angle
     if (!block.leaf(k)) {
       if (visit_reached(reach, block.first[k], visit)) return true;
       continue;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Do the surfaces of ball and socket impinge, edges and all, without testing most faces? The answers are
-// those of SurfaceOverlay::impinged(), in every pose; which faces count is said there (gap/overlay.hpp).
+// Decides whether the surfaces of ball and socket impinge, edges included, without testing most faces. In
+// every pose the answer is the same as by SurfaceOverlay::impinged() (gap/overlay.hpp): Theorem 8 (caps).
 //
-// A face is an item like a vertex: its directions are within its cap and its radii in its range, so that the
-// bounds of contact/gap_bounds.hpp hold for every point of it, also where the pose makes it edge-on. A face
-// whose cap is clear reaches none of the faces that it shares a direction with. The others are compared
-// exactly with the faces that share a direction with them. Theorem 8 (caps).
+// A face is an item like a vertex: the bounds of contact/gap_bounds.hpp hold for every point of it, also if
+// the pose makes it edge-on. A face whose cap is clear reaches no face. The others are compared exactly with
+// the faces that share a direction with them.
 #pragma once
 
 #include <array>
@@ -27,7 +26,7 @@ class CulledOverlay {
   /// Is the pose impinged? Exact.
   bool impinged(const Pose& pose) const;
 
-  std::size_t bytes() const;  // of trees, faces and orientations
+  std::size_t bytes() const;  // of memory, without the joint
 
  private:
   /// The faces of a surface that are not edge-on, in the order of their tree.
@@ -38,7 +37,7 @@ class CulledOverlay {
   };
   static Faces faces_of(const TriangleMesh& mesh);
   bool reaches_any(std::size_t scan, const CapMove& move, const Face& face) const;
-  /// The surface whose faces a scan moves, and the other one.
+  /// The surface whose faces a scan moves, and the surface that it does not move.
   const TriangleMesh& moved(std::size_t scan) const;
   const TriangleMesh& at_rest(std::size_t scan) const { return moved(1 - scan); }
 

@@ -7,7 +7,7 @@
 namespace impinge {
 namespace {
 
-// The mesh, whose lengths its caps can hold.
+// Returns the mesh, after a check that floats can hold its lengths.
 const TriangleMesh& checked(const TriangleMesh& mesh) {
   require_float_lengths(mesh);
   return mesh;
@@ -17,7 +17,7 @@ CapTree tree_of(const TriangleMesh& mesh) {
   std::vector<CapItem> items;
   for (const std::uint32_t v : surface_vertices(mesh)) {
     const double length = mesh.vertices[v].norm();
-    CapItem item{{Vec3::UnitZ(), kPi}, {length, length}};  // the centre has any direction
+    CapItem item{{Vec3::UnitZ(), kPi}, {length, length}};  // a vertex at the centre has any direction
     if (length > 0.0) item.cap = {mesh.vertices[v].stableNormalized(), 0.0};
     items.push_back(item);
   }

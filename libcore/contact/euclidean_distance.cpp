@@ -16,8 +16,8 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-// From some point of the face: of a side, or next to the foot of x. However wrong a thin face's normal makes
-// the shares of the corners, they add up to a point of the face.
+// The distance from some point of the face: one of a side, or one next to the foot of x. However wrong a thin
+// face's normal makes the weights of the corners, they give a point of the face.
 double enough_distance(const Vec3& x, const TurnFace& face) {
   const auto& [a, b, c] = face.corner;
   const double sides = std::sqrt(squared_distance_to_sides(x, a, b, c));
@@ -29,7 +29,7 @@ double enough_distance(const Vec3& x, const TurnFace& face) {
   return std::min(sides, (x - a - of_b * (b - a) - of_c * (c - a)).norm());
 }
 
-// What Eigen's search asks.
+// The functions that Eigen's search calls.
 // NOLINTBEGIN(readability-identifier-naming): Eigen's names
 struct NearestFace {
   using Scalar = double;

@@ -18,7 +18,7 @@ constexpr std::size_t kWidth = FaceRuns::kWidth;
 
 // A face and its middle, for sorting only.
 struct RunItem {
-  std::array<float, 3> middle;  // twice
+  std::array<float, 3> middle;  // twice the middle of its box
   std::uint32_t face;
 };
 
@@ -35,7 +35,7 @@ int longest_extent(std::span<const RunItem> items) {
   return static_cast<int>(std::ranges::max_element(extent) - extent.begin());
 }
 
-// Into runs of so many items, and these into shorter ones.
+// Sorts items into runs of so many items, and these into shorter runs.
 void sort_into_runs(std::span<RunItem> items, std::size_t run) {
   if (items.size() <= kWidth) return;  // a block, in whatever order
   if (items.size() <= run) return sort_into_runs(items, run / kWidth);
@@ -47,7 +47,7 @@ void sort_into_runs(std::span<RunItem> items, std::size_t run) {
   sort_into_runs(items.subspan(half), run);
 }
 
-// collinear() of those that are not plainly otherwise: 8 roundings at most.
+// Asks collinear() only if the corners are not plainly apart from a line: 8 roundings at most.
 bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;

@@ -1,35 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a pose takes the vertices of a cap, and lower bounds on their gaps.
+// Lower bounds on the gaps of the vertices of a cap in a pose, by Theorem 8 (caps).
 //
-// A scan takes vertex v = s w (|w| = 1, low <= s <= high, w within `angle` of the axis a) to x = R v + t, and
-// with o = R^T t to |x| = |v + o|. Let T = |t|.
+// A scan takes a vertex v = s w (|w| = 1, low <= s <= high, w within `angle` of the axis a) to x = R v + t.
+// With o = R^T t, T = |t| and b the angle between a and o,
+//   the directions of x and R (mean a) + t are within (angle low + T spread) / (low - T), if T < low,
+//   |x|^2 = s^2 + 2 s (w . o) + T^2,  cos(b + angle) <= w . o / T <= cos(b - angle).
+// A longer translation allows any direction. The limit of the other surface over that cap of directions
+// (contact/cap_limits.hpp) then bounds the gap: S - |x| for the ball, |x| - B for the socket.
 //
-// Direction, for T < low, k = low / (low - T): all |R w + t / s| >= 1 / k. The direction of x is that of R w
-// + t / s. As 1 / s goes to 1 / mean it turns by k T per unit, along a way of spread / low at most; then, as
-// w goes to a, by k per radian at most. So it is within
-//   (angle low + T spread) / (low - T)   of that of   R (mean a) + t
-// A longer translation allows any direction.
-// Length. |x|^2 = s^2 + 2 s g + T^2, g = w.o, a parabola in s whose least is at -g, if that is a radius of
-// the cap, and whose largest at low or high; it grows with g. b being the angle between a and o,
-//   cos(b + angle) <= g / T <= cos(b - angle), 1 and -1 where the cap holds the direction of o and of -o:
-// sums of cos b cos(angle) and sin b sin(angle), with bounds of the latter two by their series.
-//
-// With the limit of the other surface over that cap (contact/cap_limits.hpp) the gap, S - |x| for vertices of
-// the ball and |x| - B for those of the socket, is bounded below. Theorem 8 (caps).
-//
-// Rounding. All is worked out in floats, e = 2^-24 of a result an operation, and what nearly cancels keeps
-// the rounding of its terms: slacks are shares of the terms, never of a result.
-// Direction. The middle, R in floats times a times mean, plus t, is off by 3 roundings of a product of three
-// terms and 3 more a component, in all by 11 e mean + 2 e T, and mean <= 2 low, T < low: 24 e low =
-// 1.5e-6 low. It is low - T or more long, so that it turns by 1.5e-6 low / (low - T) at most. The angle has
-// kNodeSlack low / (low - T) in it, six times as much, and low less kNodeSlack of itself in the denominator
-// for its own rounding.
-// Length. a and o in floats and their product: w.o is off by 5 e T. (T sin b)^2 = T^2 - (T cos b)^2 is then
-// off by 16 e T^2 at most, a quarter of the kSquareSlack T^2 that is added to it. So T cos(b - angle), which
-// moves by no more than T cos b does unless the sine moves it, is below its bound but for 12 e T; a cap that
-// only just holds the direction of o adds 8 e T. In |x|^2 that is 40 e s T <= 20 e (s^2 + T^2), and its own
-// squares and sums add 13 e (s^2 + T^2) at most: 2e-6 (s^2 + T^2), half of kSquareSlack. R is orthogonal to
-// 1e-7 in doubles, or the rest is not enough. Places of vertices in doubles are off by 2e-16 (s + T).
+// Rounding, in floats, e = 2^-24. As terms may nearly cancel, slacks are shares of terms, never of a result.
+//   direction  The middle is off by 11 e mean + 2 e T <= 24 e low and so turns by 1.5e-6 low / (low - T) at
+//              most: a sixth of the kNodeSlack low / (low - T) that is in the angle. For its own rounding the
+//              denominator has low less kNodeSlack of itself.
+//   length     w . o is off by 5 e T, (T sin b)^2 by 16 e T^2, a quarter of the kSquareSlack T^2 that is
+//              added. So T cos(b - angle) is too small by 12 e T at most, and by 8 e T more if a cap only
+//              just holds the direction of o. In |x|^2 that is 40 e s T <= 20 e (s^2 + T^2). Squares and sums
+//              add 13 e (s^2 + T^2): in all 2e-6 (s^2 + T^2), half of kSquareSlack.
+// R must be orthogonal to 1e-7.
 #pragma once
 
 #include <array>
@@ -41,14 +28,14 @@
 
 namespace impinge {
 
-inline constexpr float kSquareSlack = 4e-6F;  // of the squared lengths that are summed
+inline constexpr float kSquareSlack = 4e-6F;  // share of the squared lengths that are summed
 
-/// A pose as one of the scans sees it. It takes vertices v of one surface to x = R v + t in the frame of the
-/// other; o = R^T t, so that |x| = |v + o|.
+/// A pose as one of the scans sees it: it takes vertices v of one surface to x = R v + t in the frame of the
+/// other. With o = R^T t, |x| = |v + o|.
 struct CapMove {
-  CapMove(Surface scanned, const Pose& pose);  // of the vertices of that surface
+  CapMove(Surface scanned, const Pose& pose);  // moves the vertices of `scanned`
 
-  /// Where the pose has a vertex, in the frame of the other surface, mm.
+  /// Where the pose takes a vertex, in the frame of the other surface, mm.
   Vec3 place(const Vec3& vertex) const { return to_other(scanned, pose, vertex); }
 
   Surface scanned;                               // whose vertices are moved
@@ -61,25 +48,24 @@ struct CapMove {
 
 /// The nodes of a block, moved by a pose.
 struct MovedCaps {
-  CapLanes x, y, z;  // mm: a point in the direction of the middle of the cap
-  CapLanes angle;    // radians; infinite or NaN where any direction is possible
-  CapLanes length;   // mm: no vertex of the ball is farther from the centre, none of the socket nearer
+  CapLanes x, y, z;  // mm, a point in the direction of the middle of the cap
+  CapLanes angle;    // radians; infinite or NaN if any direction is possible
+  CapLanes length;   // mm; no vertex of the ball is farther from the centre, no vertex of the socket nearer
 };
 
 /// Bounds for the nodes of a block.
 struct GapBounds {
-  CapLanes gap;  // mm: no vertex has less; infinite where none meets the other surface
-  /// mm, no bound: gap of a vertex in the middle of the cap, of the radius that is farther from contact. A
+  CapLanes gap;  // mm, no vertex has less; infinite if none meets the other surface
+  /// mm, not a bound: the gap of a vertex in the middle of the cap, at the radius farther from contact. A
   /// touch is most likely where this is least.
   CapLanes likely;
-  std::uint32_t open;  // a bit a node: its bound is not above `enough`
+  std::uint32_t open;  // a bit for each node, 1 if its bound is not above `enough`
 };
 
 /// Where the pose takes the caps of a block.
 MovedCaps moved(const CapBlock& block, const CapMove& move);
 
-/// Bounds of the nodes of a block, worked out together. A node with a bound above `enough`, mm, need not be
-/// opened.
+/// Bounds for the nodes of a block. A node with a bound above `enough`, mm, need not be opened.
 GapBounds gap_bounds(const CapBlock& block, const CapMove& move, const CapLimits& limits, float enough);
 
 }  // namespace impinge

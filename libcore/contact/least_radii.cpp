@@ -13,20 +13,20 @@ namespace impinge {
 namespace {
 
 constexpr auto kCells = LeastRadii::kFinest;
-// Of a piece, the radius of a ball round it over its distance:
-constexpr double kNarrow = 2.0 / kCells;                    // is not cut
-constexpr double kWide = 0.125;                             // counts in all directions, if it cannot be cut
+// The width of a piece is the radius of a ball round it over its distance.
+constexpr double kNarrow = 2.0 / kCells;                    // a piece of this width is not cut
+constexpr double kWide = 0.125;                             // a wider one counts in all directions
 constexpr int kMostCuts = 16;                               // of a triangle, one after the other
-constexpr std::size_t kCutsOfMesh = std::size_t{1} << 17U;  // and of all
+constexpr std::size_t kCutsOfMesh = std::size_t{1} << 17U;  // most cuts of all triangles
 constexpr std::size_t kCutsOfFace = 2;
-// From the direction of a ball's middle to that of any point in it, over that share: 2 sin(a / 2) / sin(a) is
-// 1 / cos(a / 2), and this for a = 30 degrees.
+// Longest chord from the direction of a ball's middle to the direction of a point in it, over the width of
+// the ball: 2 sin(a / 2) / sin(a) = 1 / cos(a / 2), which is this for a = 30 degrees.
 constexpr double kLongestChord = 1.04;
 constexpr double kDirectionSlack = 1e-5;
 constexpr double kSliver = 1e-12;      // square of the sine of an angle
-constexpr double kLengthSlack = 1e-6;  // of lengths, more than float's
+constexpr double kLengthSlack = 1e-6;  // share of lengths, more than the rounding of floats
 
-// No point of the piece is nearer to the centre, mm. The plane of a sliver is known too badly.
+// Lower bound on the distance of the piece from the centre, mm. A sliver's plane is too uncertain to use.
 double least_radius(const Triangle& piece, double distance, double radius) {
   const Vec3 ab = piece[1] - piece[0];
   const Vec3 ac = piece[2] - piece[0];
@@ -87,7 +87,7 @@ class LeastMarks {
   float everywhere_ = HUGE_VALF;
 };
 
-// The least of eight cells, for each cell of a level with `cells` along an axis.
+// Makes each cell of a level with `cells` along an axis the least of eight cells of the finer level.
 void halve(const float* finer, float* level, std::size_t cells) {
   const std::size_t twice = 2 * cells;
   for (std::size_t at = 0; at < twice * twice * twice; ++at) {
@@ -97,8 +97,8 @@ void halve(const float* finer, float* level, std::size_t cells) {
   }
 }
 
-// The least of each cell and its neighbours along an axis, `stride` apart. At the borders of the cube also of
-// cells on the other side: less, so no harm.
+// Makes each cell the least of itself and its neighbours along an axis, `stride` apart. At the borders of the
+// cube cells of the other side count too, which only makes the bound lower.
 void spread(std::span<float> level, std::size_t stride, std::vector<float>& scratch) {
   scratch.assign(level.begin(), level.end());
   float* __restrict least = level.data();

@@ -18,21 +18,21 @@ constexpr std::size_t kWidth = FaceRuns::kWidth;
 using Lanes = std::array<float, kWidth>;
 using WholeLanes = std::array<std::int32_t, kWidth>;
 
-constexpr float kFloatSlack = 2e-6F;    // of a length: a point, rounded to floats, is moved in them
-constexpr float kSquareSlack = 1e-5F;   // of a square
-constexpr float kGridSlack = 1e-4F;     // of a cell
-constexpr float kTiny = 1e-30F;         // mm^2, of squares that are still precise
-constexpr float kLongestChord = 1.04F;  // of a ball's radius over its distance: see least_radii.cpp
-constexpr float kChordSlack = 1e-3F;    // of a cell of directions
-constexpr float kUnknown = 1e6F;        // cells: no level has such wide ones
-constexpr float kFirst = 4096.0F;       // before what is not in a cell of the surface
+constexpr float kFloatSlack = 2e-6F;    // share of a length, for a point that is rounded to floats and moved
+constexpr float kSquareSlack = 1e-5F;   // share of a squared length
+constexpr float kGridSlack = 1e-4F;     // in cells of the grid
+constexpr float kTiny = 1e-30F;         // mm^2; smaller squares are not precise
+constexpr float kLongestChord = 1.04F;  // times a ball's radius over its distance, see least_radii.cpp
+constexpr float kChordSlack = 1e-3F;    // in cells of directions
+constexpr float kUnknown = 1e6F;        // in cells; wider than cells of any level
+constexpr float kFirst = 4096.0F;       // puts runs in a cell of the surface before all others
 
 // A block that waits for its turn in a search.
 struct Pending {
   std::size_t level;
   std::size_t block;  // of the level
 };
-// More than wait in a depth-first search of 2^32 faces.
+// More blocks than can wait in a depth-first search of 2^32 faces.
 constexpr std::size_t kMostPending = kWidth * 11;
 
 // Calls visit(block, lane, faces) for each run of all levels.
@@ -52,11 +52,11 @@ Triangle corners(const FaceRuns& runs, const Face& f) {
   return {runs.vertices[f[0]], runs.vertices[f[1]], runs.vertices[f[2]]};
 }
 
-// Floats that are no more and no less, whichever way they were rounded.
+// Floats that are surely not above and not below x.
 float below(double x) { return static_cast<float>(x - 1e-7 * std::abs(x) - 1e-44); }
 float above(double x) { return static_cast<float>(x + 1e-7 * std::abs(x) + 1e-44); }
 
-// Around a triangle, mm, rounded outwards.
+// A box round a triangle, mm, rounded outwards.
 struct FloatBox {
   std::array<float, 3> low;
   std::array<float, 3> high;
@@ -68,7 +68,7 @@ FloatBox box_of(const Triangle& of) {
           {above(high.x()), above(high.y()), above(high.z())}};
 }
 
-// A bit for each lane that overlaps the box.
+// Returns a bit for each lane whose box overlaps this one.
 [[gnu::flatten]] IMPINGE_VECTOR_CLONES std::uint32_t overlapping(const FixedFaces::Boxes& boxes,
                                                                  const FloatBox& with) {
   WholeLanes bit;
@@ -93,7 +93,7 @@ bool on_one_side(const Triangle& plane, const Triangle& of) {
          side == plane_side(plane[0], plane[1], plane[2], of[2]);
 }
 
-// faces_meet(), which usually says no, for the price of a few signs.
+// As faces_meet(), but its usual answer, no, takes only a few signs.
 bool triangles_meet(const Triangle& a, const Triangle& b) {
   return !on_one_side(b, a) && !on_one_side(a, b) && faces_meet(a, b);
 }
@@ -130,7 +130,7 @@ FloatPose in_floats(const Pose& pose, const NearCells& cells) {
   return floats;
 }
 
-// Balls where the pose takes them, and where to look up what is known about them.
+// Balls after the move by a pose, and the cells in which to look them up.
 struct MovedBalls {
   Lanes outside;     // cells, square of the distance from the grid
   Lanes reach;       // cells, square of the radius
@@ -198,7 +198,8 @@ inline void move_ball(const MovedFaces::Balls& balls, const FloatPose& pose, std
   find_direction(middle, radius, k, moved);
 }
 
-// For each ball: positive where it is clear of the surface; else the less, the sooner it is opened.
+// Finds a margin for each ball: positive if it is clear of the surface. Among others the least is opened
+// first.
 [[gnu::flatten]] IMPINGE_VECTOR_CLONES void find_margins(const MovedFaces::Balls& balls,
                                                          const FloatPose& pose, const std::uint8_t* cells,
                                                          const LeastRadii& radii, Lanes& __restrict margin) {
@@ -220,7 +221,7 @@ inline void move_ball(const MovedFaces::Balls& balls, const FloatPose& pose, std
   }
 }
 
-// Lanes that are not clear, the first to open last.
+// Lists the lanes that are not clear; the first to be opened comes last.
 std::size_t lanes_to_open(const Lanes& margin, std::array<std::size_t, kWidth>& lanes) {
   std::size_t count = 0;
   for (std::size_t k = 0; k < kWidth; ++k) {

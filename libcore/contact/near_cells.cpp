@@ -14,14 +14,14 @@
 namespace impinge {
 namespace {
 
-constexpr double kCellsOfFace = 32.0;  // what is worth while
-constexpr double kPiecesOfCell = 1.0;  // of faces that are marked
-constexpr double kMostAlong = 1000.0;  // cells
-constexpr double kLeastSize = 1e-30;   // mm: floats lose no digits
-constexpr double kCellSlack = 1e-3;    // of a cell: more than the rounding of corners and halves
+constexpr double kCellsOfFace = 32.0;  // most cells for each face; more do not pay
+constexpr double kPiecesOfCell = 1.0;  // most pieces of faces to mark, for each cell
+constexpr double kMostAlong = 1000.0;  // most cells along an axis
+constexpr double kLeastSize = 1e-30;   // mm; down to it floats lose no digits
+constexpr double kCellSlack = 1e-3;    // share of a cell, more than the rounding of corners and halves
 constexpr int kFarthest = NearCells::kReach * NearCells::kReach;
 
-// The least that keeps cells and pieces within bounds.
+// The least size that keeps the numbers of cells and pieces within bounds.
 double cell_size(const FaceRuns& surface, const Vec3& extent) {
   double area = 0.0;
   double edges = 0.0;
@@ -42,7 +42,7 @@ double cell_size(const FaceRuns& surface, const Vec3& extent) {
   return size;
 }
 
-// Marks cells of a triangle, in units of the grid, in pieces that are at most two cells wide.
+// Marks the cells of a triangle, given in units of the grid, in pieces at most two cells wide.
 void mark(NearCells& grid, const Triangle& piece) {
   std::array<int, 3> from{};
   std::array<int, 3> to{};
@@ -68,8 +68,8 @@ void mark(NearCells& grid, const Triangle& piece) {
   }
 }
 
-// Of squares to the same row: least over i of row(at + i) + max(0, |i| - 1)^2, for rows of `width` that are
-// `stride` apart.
+// Replaces each row of squares by the least over i of row(at + i) + max(0, |i| - 1)^2; rows have `width`
+// cells and are `stride` apart.
 IMPINGE_VECTOR_CLONES void pass(std::uint8_t* rows, int count, std::size_t stride, std::size_t width,
                                 std::vector<std::uint8_t>& scratch) {
   scratch.assign(width * static_cast<std::size_t>(count), kFarthest);
@@ -91,7 +91,7 @@ IMPINGE_VECTOR_CLONES void pass(std::uint8_t* rows, int count, std::size_t strid
     std::copy_n(scratch.data() + at * width, width, rows + at * stride);
 }
 
-// The pass along a row of cells, 0 where marked.
+// The pass along a row of cells, which are 0 where marked.
 void pass_along(std::uint8_t* row, int count, std::vector<int>& apart) {
   apart.assign(static_cast<std::size_t>(count), kFarthest);
   const auto sweep = [&](int from, int to, int step) {

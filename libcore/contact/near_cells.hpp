@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far from a surface are the cells of a grid, at least? One look says that all of a ball is clear of it.
+// Lower bounds on the distances of the cells of a grid from a surface: one look-up tells that a whole ball is
+// clear of the surface. Theorem 9 (near).
 //
-// The grid is the box round the faces, in cubes of `size`. With n = max(0, |i| - 1) for cells that are i
-// apart along an axis, no points of the two are nearer to each other than sqrt(n_x^2 + n_y^2 + n_z^2) cells.
-// The least of that over all cells that may hold a point of the surface comes of one pass along each axis,
-// for it is a sum. Of a point c outside of the grid and the point p of the grid nearest to it, every point s
-// of the surface has |c - s|^2 >= |c - p|^2 + |p - s|^2, as a box is convex. Theorem 9 (near).
+// The grid divides the box round the faces into cubes of `size`. The squared distance of two cells is a sum
+// over the axes, so that one pass along each axis finds the least over all cells that may hold a point of the
+// surface.
 #pragma once
 
 #include <array>
@@ -17,16 +16,16 @@
 namespace impinge {
 
 struct NearCells {
-  static constexpr int kReach = 15;  // cells; what is farther counts as so far
+  static constexpr int kReach = 15;  // cells; larger distances count as this
   static constexpr double kMostCells = 0x1p20;
 
-  explicit NearCells(const FaceRuns& surface);  // with a face
+  explicit NearCells(const FaceRuns& surface);  // the surface must have a face
 
   Vec3 origin = Vec3::Zero();  // mm, the lowest corner
   double size = 0.0;           // mm
   std::array<int, 3> cells{};  // along each axis
-  /// 0 of a cell that may hold a point of the surface; else 1 + the square of the distance in cells. x runs
-  /// fastest.
+  /// For each cell, x running fastest: 0 if it may hold a point of the surface, else 1 + the square of its
+  /// distance in cells.
   std::vector<std::uint8_t> square;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kError = 24.0 * 0x1p-53;  // of D / k
 
-// Is the foot of x in the plane of the face outside of it, whatever the rounding of the normal?
+// Is the foot of x, in the plane of the face, outside of the face, whatever the rounding of the normal?
 bool surely_outside(const Vec3& x, const TurnFace& face) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 side = face.corner[(k + 1) % 3] - face.corner[k];

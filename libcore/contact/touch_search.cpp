@@ -9,19 +9,19 @@
 namespace impinge {
 namespace {
 
-// Nodes that a search still has to open. Of those found last the one where a touch is likeliest is opened
-// first.
+// The nodes that a search still has to open. Among the nodes found last, the one where a touch is likeliest
+// is opened first.
 class PendingNodes {
  public:
   struct Pending {
-    std::uint32_t scan;  // 0 of the ball's vertices, 1 of the socket's
+    std::uint32_t scan;  // 0 for the ball's items, 1 for the socket's
     CapNode node;        // of its tree
   };
 
   bool empty() const { return count_ == 0; }
   Pending pop() { return nodes_[--count_]; }
 
-  // Takes in the open nodes of a block, the likeliest of them as the last.
+  // Adds the open nodes of a block, the likeliest one last.
   void push_open(std::uint32_t scan, std::uint32_t block, const GapBounds& bounds) {
     const std::size_t first = count_;
     std::size_t likeliest = first;
@@ -43,7 +43,7 @@ class PendingNodes {
 
 }  // namespace
 
-// The last root is looked at first, right after the others; then the first scan's caps before the second's.
+// The root that is pushed last is opened first; then the first scan's caps come before the second's.
 std::optional<ScannedItem> touching_item(const PosedTrees& posed,
                                          const std::function<bool(const ScannedItem&)>& touches) {
   PendingNodes pending;

@@ -12,13 +12,13 @@
 namespace impinge {
 namespace {
 
-constexpr double kBeyond = 1.01;            // of the reach that walls have
+constexpr double kBeyond = 1.01;            // walls reach so many times as far as they must
 constexpr double kWidestPiece = kPi / 3.0;  // of a wall, as the centre sees it
-// Of the distance of the farther end of an edge: what turning it to the frame of the axis, and cutting it in
-// pieces, may move a point of it by. A wall beyond stretches that with the point.
+// How far a point of an edge may move when the edge is turned to the frame of the axis and cut, as a share of
+// the distance of its farther end. A wall beyond stretches that with the point.
 constexpr double kEdgeError = 64.0 * 0x1p-53;
 
-// Points that cut the edge a - b in pieces of no more than kWidestPiece as the centre sees it, ends included.
+// Points that cut the edge a - b into pieces of at most kWidestPiece as the centre sees it, ends included.
 std::vector<Vec3> cut_by_angle(const Vec3& a, const Vec3& b) {
   const Vec3 along = (b - a).stableNormalized();
   const double from = a.dot(along);
@@ -43,7 +43,7 @@ TurnFace wall_face(const Vec3& a, const Vec3& b, const Vec3& c, double doubt) {
   return face;
 }
 
-// A chord of the arc at this distance is nowhere nearer than the reach.
+// Adds the wall beyond an edge. A chord of the arc at its outer distance is nowhere nearer than the reach.
 void add_wall_beyond(const Vec3& a, const Vec3& b, double least, std::vector<TurnFace>& faces) {
   const double reach = kBeyond * least / std::cos(0.5 * kWidestPiece);
   const double nearest = std::sqrt(squared_distance_to_segment(Vec3::Zero(), a, b));

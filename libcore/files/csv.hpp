@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tidy CSV table: declared columns, one header line, no comments, one observation a row.
+// A tidy CSV table: declared columns, one header line, one observation on each line below it, no comments.
 #pragma once
 
 #include <concepts>
@@ -12,44 +12,44 @@
 
 namespace impinge {
 
-/// What a column holds. The unit is "1" for counts and ratios and "" for text.
+/// What a column holds.
 struct Column {
   std::string name;     // as in the header line
-  std::string unit;     // such as "mm"
+  std::string unit;     // such as "mm"; "1" for counts and ratios, "" for text
   std::string meaning;  // one clause
 };
 
-/// A value, or nothing (an empty cell). Construct it from text, any integer, a floating-point number or a
-/// bool; a bool is written as yes or no.
+/// One value of a table: text, a whole number, a floating-point number or a bool; or nothing, an empty cell.
 class Cell {
  public:
   Cell() = default;
   Cell(std::string text) : value_(std::move(text)) {}            // text
   Cell(std::string_view text) : value_(std::string(text)) {}     // text
   Cell(const char* text) : value_(std::string(text)) {}          // text
-  Cell(double number) : value_(number) {}                        // a number; empty for NaN
-  Cell(bool flag) : value_(std::string(flag ? "yes" : "no")) {}  // yes or no
+  Cell(double number) : value_(number) {}                        // a number; NaN gives an empty cell
+  Cell(bool flag) : value_(std::string(flag ? "yes" : "no")) {}  // the word yes or no
   /// A whole number; it must fit into a signed integer of 64 bits.
   template <std::integral I>
   Cell(I number) : value_(static_cast<std::int64_t>(number)) {}
 
-  /// Shortest decimal text that reads back as the same double; empty for NaN; RFC 4180 quotes where needed.
+  /// The cell as it is written: a number as the shortest decimal text that reads back as the same double, NaN
+  /// as nothing, text in quotes where RFC 4180 asks for them.
   std::string text() const;
 
  private:
   std::variant<std::monostate, std::string, std::int64_t, double> value_;
 };
 
-/// Columns and the rows below them.
+/// A table with its columns.
 struct Table {
   std::vector<Column> columns;               // in the order of the cells
   std::vector<std::vector<Cell>> rows = {};  // each with a cell for every column
 
-  /// Throws std::invalid_argument unless there is one cell for each column.
+  /// Appends a row. Throws std::invalid_argument unless it has one cell for each column.
   void add_row(std::vector<Cell> row);
 };
 
-/// The bytes of the file: lines end in a line feed.
+/// The table as the bytes of a CSV file, whose lines end in a line feed.
 std::string to_csv(const Table& table);
 
 }  // namespace impinge

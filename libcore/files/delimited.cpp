@@ -15,7 +15,7 @@ std::string_view without_blanks(std::string_view word) {
   return word;
 }
 
-// Where the quote that a word begins with is closed.
+// The place of the quote that closes the one at the beginning, or the end of the line.
 std::size_t closing_quote(std::string_view line) {
   std::size_t at = line.find('"', 1);
   while (at < line.size() && line.substr(at).starts_with("\"\"")) at = line.find('"', at + 2);

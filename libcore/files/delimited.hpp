@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines and words of tables as spreadsheets write them.
+// Reads tables as spreadsheets write them: their lines, the words of a line, and numbers.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,16 @@
 
 namespace impinge {
 
-/// Lines of a text with their numbers, without those that are blank, ends of lines and a byte order mark.
+/// Goes through the lines of a text. Blank lines are skipped but counted. A line is given without its end,
+/// the first one without a byte order mark.
 class NumberedLines {
  public:
   explicit NumberedLines(std::string_view bytes);
 
-  /// Goes to the next line; false behind the last one.
+  /// Goes to the next line; false after the last one. To be called before the first line too.
   bool next();
   std::string_view line() const { return line_; }
-  std::size_t number() const { return number_; }  // from 1
+  std::size_t number() const { return number_; }  // of the line in the text, from 1
 
  private:
   std::string_view rest_;
@@ -25,15 +26,16 @@ class NumberedLines {
   std::size_t number_ = 0;
 };
 
-/// What parts the words of a table with this head: a tab, else a semicolon, else a comma, which it has.
+/// The separator of a table whose header line is `head`: a tab if it has one, else a semicolon if it has one,
+/// else a comma.
 char separator_of(std::string_view head);
 
-/// The words of a line, without blanks and quotes around them; within quotes a separator parts nothing, and a
-/// quote that is doubled stays so. One more than there are separators.
+/// The words between the separators of a line, without the blanks and quotes around them. A separator within
+/// quotes does not count; a doubled quote within quotes stays doubled.
 std::vector<std::string_view> delimited_words(std::string_view line, char separator);
 
-/// The word as a finite number, its decimal sign a point or, where no comma parts words, a comma;
-/// std::nullopt for any other word.
+/// The word as a finite number, else std::nullopt. Where the separator is not a comma, the decimal sign may
+/// be one.
 std::optional<double> delimited_number(std::string_view word, char separator);
 
 }  // namespace impinge

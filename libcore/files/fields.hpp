@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Requests, answers and rows of tables, described once. From the description follow their JSON and its schema
-// (joint/document.hpp), the options of a command, the columns of a CSV (files/rows.hpp) and the lists of the
-// reference page. What is described is a plain struct with a static member:
+// Describes the members of requests, answers and rows of tables. From this one description the library makes
+// their JSON and its schema (joint/document.hpp), the options of a command, the columns of a CSV
+// (files/rows.hpp) and the lists of the reference page. A struct is described by a static member:
 //
 //   struct Stop {
 //     double angle = 0.0;
@@ -22,26 +22,26 @@
 
 namespace impinge {
 
-/// Numbers that a member of a request may have.
+/// The numbers that a member of a request may have: those from `least` to `most`.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  bool above = false;  // `least` itself is not among them
+  bool above = false;  // true where `least` itself is not allowed
 
   constexpr bool has(double x) const { return (above ? x > least : x >= least) && x <= most; }
 };
 inline constexpr Range kPositive{.least = 0.0, .above = true};
 inline constexpr Range kNotNegative{.least = 0.0};
 
-/// A member, or what a function says of its owner, and what a reader must know of it.
+/// One value that a struct, its owner, has: how to get it, and what a reader must know of it.
 template <class Get>
 struct Field {
   std::string_view
       name;  // key of JSON, column of a CSV, keyword of Python; as an option, - takes the place of _
-  std::string_view unit;  // such as "mm"; "1" of counts and ratios, "" of what is no number
+  std::string_view unit;  // such as "mm"; "1" for counts and ratios, "" for what is not a number
   std::string_view text;  // what it is, one clause
-  Get get;                // pointer to a member of the owner, or function of it
-  Range range = {};       // of a request
+  Get get;                // a pointer to a member of the owner, or a function that takes the owner
+  Range range = {};       // the numbers allowed in a request
 
   template <class Owner>
   constexpr decltype(auto) of(Owner& owner) const {
@@ -53,7 +53,7 @@ Field(std::string_view, std::string_view, std::string_view, Get) -> Field<Get>;
 template <class Get>
 Field(std::string_view, std::string_view, std::string_view, Get, Range) -> Field<Get>;
 
-/// What the field is of such an owner.
+/// The type of the value of a field.
 template <class Owner, class Get>
 using ValueOf = std::remove_cvref_t<std::invoke_result_t<Get, const Owner&>>;
 
@@ -72,13 +72,15 @@ constexpr auto value_via(const Owner& owner, First first, Rest... rest) {
     return value_via(value, rest...);
   }
 }
-/// For a Field: the member of a member, and so on; none where one on the way is.
+/// For a Field: gets a member of a member, and so on. Where an optional member on the way is empty, so is the
+/// value.
 template <class... Steps>
 constexpr auto via(Steps... steps) {
   return [steps...](const auto& owner) { return value_via(owner, steps...); };
 }
 
-/// The fields of T. Specialised beside the documents of a struct whose own folder knows of none.
+/// The fields of T: T::fields, or a specialisation beside the documents, for a struct whose own folder does
+/// not use this header.
 template <class T>
 inline constexpr bool fields_of = false;
 template <class T>
@@ -88,13 +90,14 @@ inline constexpr const auto& fields_of<T> = T::fields;
 template <class T>
 concept Described = !std::is_same_v<decltype(fields_of<T>), const bool>;
 
-/// visit(field) for each field, in their order.
+/// Calls visit(field) for each field, in their order.
 template <Described T, class Visit>
 constexpr void for_each_field(Visit&& visit) {
   std::apply([&](const auto&... field) { (visit(field), ...); }, fields_of<T>);
 }
 
-/// The words for the values of an enumeration, in their order: specialised beside each that documents have.
+/// The words for the values of an enumeration, in their order. Each enumeration that documents use
+/// specialises this.
 template <class E>
 inline constexpr std::array<std::string_view, 0> words_of{};
 

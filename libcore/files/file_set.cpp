@@ -11,7 +11,7 @@
 
 namespace impinge {
 
-// One file on its way. Undoes itself unless it was kept, without asking for memory.
+// The replacement of one file. The destructor undoes it unless keep() was called; it allocates no memory.
 class FileSet::Change {
  public:
   explicit Change(std::shared_ptr<TemporaryFile> part)
@@ -25,9 +25,9 @@ class FileSet::Change {
     if (!replaced_ && kept_) ::unlink(old_.c_str());
   }
 
-  // A second name for the old file. Where the file system has no second names there is no way back.
+  // Gives the old file a second name. On a file system without hard links a replacement cannot be undone.
   void keep_old() {
-    ::unlink(old_.c_str());  // of a run that was killed
+    ::unlink(old_.c_str());  // a run that was killed may have left it
     kept_ = ::link(part_->target().c_str(), old_.c_str()) == 0;
     was_there_ = kept_ || errno != ENOENT;
     const bool no_second_names = errno == EPERM || errno == EOPNOTSUPP || errno == EMLINK;

@@ -24,10 +24,11 @@ class FileSet {
   FileSet& operator=(const FileSet&) = delete;
   ~FileSet();
 
-  /// The folder must exist. A file that holds these bytes already is left alone and keeps its time stamp.
+  /// Adds a file with these bytes. Its folder must exist. A file that holds these bytes already is left
+  /// alone.
   void add(const std::filesystem::path& file, std::string_view bytes);
 
-  /// A file that is written already.
+  /// Adds a file whose bytes are written already.
   void add(std::shared_ptr<TemporaryFile> written);
 
   /// Puts the files in place, in the order of add(). The set is then empty.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers in a sentence. (std::format is not in GCC 12.)
+// Writes numbers into sentences. (GCC 12 has no std::format.)
 #pragma once
 
 #include <cmath>
@@ -8,21 +8,21 @@
 
 namespace impinge {
 
-/// As std::snprintf writes it, cut off after 319 characters.
+/// The text that std::snprintf writes, cut off after 319 characters.
 inline std::string formatted(const char* pattern, auto... values) {
   char text[320];
   std::snprintf(text, sizeof text, pattern, values...);
   return text;
 }
 
-/// The lower end of what is proven, for a sentence: the largest decimal number of that many places that is
-/// not above the value. A number that reads back as the value counts as the value.
+/// The value rounded down to so many decimal places: for the lower end of a proven interval. A decimal number
+/// that reads back as the value is not rounded further.
 inline std::string rounded_down(double value, int places) {
   double shown = std::stod(formatted("%.*f", places, value));
   if (shown > value) shown -= std::pow(10.0, -places);
   return formatted("%.*f", places, shown + 0.0);  // no minus before a zero
 }
-/// The upper end likewise: the least such number that is not below the value.
+/// The value rounded up in the same way: for the upper end of a proven interval.
 inline std::string rounded_up(double value, int places) {
   double shown = std::stod(formatted("%.*f", places, value));
   if (shown < value) shown += std::pow(10.0, -places);

@@ -16,7 +16,7 @@ std::uint64_t physical_memory() {
 }
 
 std::uint64_t available_memory() {
-#ifdef __EMSCRIPTEN__  // a page has no files to read it from
+#ifdef __EMSCRIPTEN__  // a web page has no files to read it from
   return std::uint64_t{1} << 30U;
 #else
   std::ifstream file("/proc/meminfo");

@@ -8,8 +8,8 @@ namespace impinge {
 
 std::uint64_t physical_memory();  // bytes
 
-/// Bytes that a program may still take before the machine swaps (MemAvailable of Linux); the physical memory
-/// where that is not known.
+/// How many bytes a program may still take before the machine swaps (MemAvailable of Linux). Where that is
+/// not known, the physical memory.
 std::uint64_t available_memory();
 
 }  // namespace impinge

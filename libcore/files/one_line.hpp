@@ -6,7 +6,8 @@
 
 namespace impinge {
 
-/// Control characters become blanks, so that no name can break the line or move the cursor.
+/// The text with blanks in place of control characters, so that no name can break the line or move the
+/// cursor.
 std::string one_line(std::string text);
 
 }  // namespace impinge

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of a CSV from structs that fields.hpp describes.
+// Makes rows of a CSV from structs that are described with files/fields.hpp.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace impinge {
 
-/// The columns of such rows.
+/// The columns of a table whose rows are of this type: one for each field.
 template <Described Row>
 std::vector<Column> columns_of() {
   std::vector<Column> columns;
@@ -31,7 +31,7 @@ Cell cell_of(const T& value) {
   }
 }
 
-/// The cells of a row.
+/// The cells of one row, in the order of columns_of().
 template <Described Row>
 std::vector<Cell> cells_of(const Row& row) {
   std::vector<Cell> cells;

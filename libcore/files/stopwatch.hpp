@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wall-clock time of a stretch of work. Repetition and order are up to the caller (harness/timing.hpp).
+// Measures the wall-clock time of a stretch of work. Repeating it is up to the caller (harness/timing.hpp).
 #pragma once
 
 #include <chrono>
 
 namespace impinge {
 
-/// Starts when it is made.
+/// A stopwatch that starts when it is constructed.
 class Stopwatch {
  public:
   /// Milliseconds since the start or the last lap; begins the next lap.
@@ -16,7 +16,7 @@ class Stopwatch {
     start_ = now;
     return elapsed;
   }
-  double lap_s() { return 1e-3 * lap_ms(); }  // the same, seconds
+  double lap_s() { return 1e-3 * lap_ms(); }  // as lap_ms(), in seconds
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work that is shared by a few threads for a moment.
+// Runs a piece of work on several threads and waits for them.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,9 @@
 
 namespace impinge {
 
-/// Calls work(0) ... work(threads - 1) at the same time and waits; rethrows the exception of the lowest
-/// number that threw. Where no more threads can be started, as in WebAssembly, this one does the rest.
+/// Calls work(0) ... work(threads - 1) at the same time and waits for all. If some of them throw, the
+/// exception of the lowest number is rethrown. Where no more threads can be started, as in WebAssembly, the
+/// calling thread does the rest.
 inline void on_threads(std::size_t threads, const std::function<void(std::size_t)>& work) {
   std::vector<std::exception_ptr> failures(threads);
   const auto guarded = [&](std::size_t thread) {
@@ -26,13 +27,13 @@ inline void on_threads(std::size_t threads, const std::function<void(std::size_t
     }
   };
   {
-    struct Joined {  // a std::jthread, which WebAssembly's library has not
+    struct Joined {  // as std::jthread, which the library of WebAssembly lacks
       explicit Joined(std::thread begun) : thread(std::move(begun)) {}
       ~Joined() { thread.join(); }
       std::thread thread;
     };
     std::vector<std::unique_ptr<Joined>> others;
-    others.reserve(threads);  // none is lost between its start and this list
+    others.reserve(threads);  // so that the list cannot run out of memory after a thread was started
     std::size_t begun = 1;
     try {
       for (; begun < threads; ++begun)

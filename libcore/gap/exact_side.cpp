@@ -7,7 +7,7 @@ namespace impinge {
 
 bool exactly_impinged(Surface of, const NearFaces& faces, const Vec3& x) {
   if (x.isZero(0.0)) return of == Surface::socket && !faces.empty();
-  // A face for which the order, +1 with x beyond it and -1 with x before it, is not opposite.
+  // Looks for a face with x on it or on the impinged side. The order is +1 if x is beyond it, -1 if before.
   return faces.any_hit(x, [&](std::uint32_t f, int side) {
     const auto corners = corners_of(faces.mesh(), faces.mesh().faces[f]);
     if (place_in_cone(corners, side, x) < 0) return false;

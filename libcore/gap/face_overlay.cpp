@@ -14,7 +14,7 @@ TriangleCone cone_of(const OverlayFace& face) { return {face.corner[0], face.cor
 
 double det(const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot(b.cross(c)); }
 
-// Distance of the point at which a - b is met by the plane through the centre, c and d.
+// Distance of the point where the plane through the centre, c and d meets a - b.
 double distance_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double at_a = std::abs(det(b, c, d));
   const double at_b = std::abs(det(a, c, d));
@@ -24,9 +24,9 @@ double distance_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 }  // namespace
 
-// The centre is within a triangle in whose plane it lies where it is on one side of all its sides: a x b, b x
-// c and c x a, of which orientation() has the components, point one way. They all vanish where the corners
-// are on one line with the centre, which is then between two of them.
+// The centre, in the plane of a triangle, is within it if it is on the same side of all sides: a x b, b x c
+// and c x a point one way, by orientation() of their components. All three vanish if the corners are on one
+// line with the centre; then it must lie between two of them.
 bool holds_centre(const OverlayFace& face) {
   const auto& c = face.corner;
   bool on_line = true;

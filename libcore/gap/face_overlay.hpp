@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One face of the ball over one face of the socket, as the centre of one of them sees them.
-//
-// Does the ball's face X reach the socket's face Y: is there x = s y with x in X, y in Y, s >= 1? Along a
-// direction u the plane of a face has 1 / r = q.u, with one vector q for each face. So 1 / S - 1 / B is
-// linear in u over the directions that both faces cover, a convex cone, and the ball reaches the socket (B
-// >= S, so that the difference is not negative) somewhere in it exactly if it does so along one of its edges.
-// Those are directions through
+// Decides whether a face X of the ball reaches a face Y of the socket, as the centre of one of them sees
+// them: is there x = s y with x in X, y in Y, s >= 1? By Theorem 6 (overlay) it is enough to look along the
+// directions of
 //   a corner of the ball's face over the socket's,
 //   a corner of the socket's face over the ball's,
-//   a crossing of an edge of one and an edge of the other.
-// Each is decided by exact signs (sphere/plane_side.hpp).
-//
-// The face at rest is never edge-on (gap/overlay.hpp). One that a pose makes edge-on as this centre
-// sees it covers no direction, so that nothing is over it, but it reaches or is reached like any other: along
-// a ray of its plane it is farthest from the centre on a side, and nearest on a side too, but where it holds
-// the centre. A side is over a sector of its plane, and over what the other face covers of that sector the
-// difference is linear again, so that its ends decide: a corner over the other face, or a crossing with a
-// side of it. (A side in the same plane changes nothing: its ends belong to other sides, which cross.) A face
-// of the socket that holds the centre of the ball is within any face of the ball, s growing beyond all bounds
-// as y comes to the centre; a face of the ball that holds the centre of the socket is beyond another only
-// with its sides. Theorem 6 (overlay).
+//   a crossing of an edge of one and an edge of the other,
+// by exact signs (sphere/plane_side.hpp). The face at rest is never edge-on (gap/overlay.hpp). A face that a
+// pose makes edge-on for this centre counts with its sides.
 #pragma once
 
 #include <array>
@@ -31,16 +18,16 @@
 
 namespace impinge {
 
-/// Corners in a centre frame, mm, and their orientation.
+/// A face in a centre frame, mm.
 struct OverlayFace {
   std::array<Vec3, 3> corner;  // in the order of the face
-  int side = 0;                // orientation of the corners; 0 only for one that a pose has moved
+  int side = 0;                // orientation of the corners; 0 only if a pose has moved the face
 };
 
-/// Does a face that is edge-on hold the centre, its boundary included? Exact.
+/// Is the centre in this edge-on face, boundary included? Exact.
 bool holds_centre(const OverlayFace& face);
 
-/// Which of the three kinds of direction above it is; `centre`: the face of the socket holds the centre.
+/// The kinds of direction above; `centre` if the face of the socket holds the centre.
 enum class OverlayKind { ball_corner, socket_corner, crossing, centre };
 template <>
 inline constexpr std::array<std::string_view, 4> words_of<OverlayKind>{
@@ -50,12 +37,12 @@ inline constexpr std::array<std::string_view, 4> words_of<OverlayKind>{
 struct OverlayPoint {
   OverlayKind kind = OverlayKind::crossing;  // says what `ball` and `socket` are
   int order = 0;  // +1 if the ball is beyond the socket there, 0 if they touch, -1 if the ball is nearer
-  std::size_t ball = 0;    // corner, or side from this corner to the next
-  std::size_t socket = 0;  // the same of the socket's face
+  std::size_t ball = 0;    // corner of the ball's face, or the side from this corner to the next
+  std::size_t socket = 0;  // corner or side of the socket's face
 };
 
-/// Calls visit(point) for each such direction until it returns true; returns whether it did. The side of the
-/// face at rest must not be 0.
+/// Calls visit(point) for each such direction until visit returns true; returns whether it did. The `side` of
+/// the face at rest must not be 0.
 template <class Visit>
 bool visit_overlay(const OverlayFace& ball, const OverlayFace& socket, Visit&& visit) {
   const auto beyond = [](const OverlayFace& face, const Vec3& x) {
@@ -90,8 +77,8 @@ inline bool reaches(const OverlayFace& ball, const OverlayFace& socket) {
   return visit_overlay(ball, socket, [](const OverlayPoint& point) { return point.order >= 0; });
 }
 
-/// Ball radius minus socket radius at that point, mm, in floating point: how deep the ball is in the socket.
-/// At the centre, where any direction is meant, the farthest corner of the ball's face.
+/// Ball radius minus socket radius in this direction, mm, in floating point: how deep the ball is in the
+/// socket. For `centre`, the distance of the farthest corner of the ball's face.
 double depth_at(const OverlayFace& ball, const OverlayFace& socket, const OverlayPoint& point);
 
 }  // namespace impinge

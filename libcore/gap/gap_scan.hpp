@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A scan of Algorithm 2: all vertices of one surface against the other, with one signed gap for both
-/// (gap/surface.hpp).
+/// A scan of the thesis' Algorithm 2: the signed gap (gap/surface.hpp) of every vertex of one surface to the
+/// other surface. The gap is kNoSurface (NaN) where the other surface is not met, which never counts as a
+/// hit.
 ///
-/// The thesis' test `d <= d_i` is right for ball vertices against the socket's table and wrong the other way
-/// round, and it keeps the distance of colliding vertices only. Here every vertex of both scans gets its
-/// signed gap. kNoSurface (NaN) where the other surface is not met: no surface there is never a hit.
+/// The thesis' test `d <= d_i` is right for vertices of the ball against the socket's table, wrong the other
+/// way round, and keeps the distances of colliding vertices only.
 #pragma once
 
 #include <cassert>
@@ -18,15 +18,15 @@
 
 namespace impinge {
 
-/// Anything that gives the radius of a surface along x, of any length above zero: a table, its faces. mm,
-/// kNoSurface where it has no answer.
+/// Anything that gives the radius of a surface along x (any length above zero), such as a table or its faces:
+/// radius_at(x), mm, or kNoSurface.
 template <class Q>
 concept RadialQuery = requires(const Q& query, const Vec3& x) {
   { query.radius_at(x) } -> std::convertible_to<double>;
 };
 
-/// Gaps of `vertices` (mm, in the centre frame of their surface `of`) to the other surface, which `query`
-/// answers for. gap has the size of the vertices, mm.
+/// Writes to `gap` the gaps of `vertices` to the other surface, mm. `query` answers for the other surface.
+/// Vertices are in mm in the centre frame of their surface `of`; `gap` has their size.
 template <RadialQuery Query>
 void scan_gaps(const Query& query, std::span<const Vec3> vertices, const Pose& pose, Surface of,
                std::span<double> gap) {

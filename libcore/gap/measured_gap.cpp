@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kSteps = 64.0 * 0x1p-53;       // of a radius over the cosine
 constexpr double kLengthSteps = 8.0 * 0x1p-53;  // of the length of the vertex
-constexpr double kMostError = 1.0 / 16.0;       // of a radius: up to there kSteps holds (measured_gap.gappa)
+constexpr double kMostError = 1.0 / 16.0;       // of a radius; up to it kSteps holds (measured_gap.gappa)
 
-// Of one face along u, which its cone contains.
+// The radius of one face along u, which its cone contains.
 RadiusRange radius_range(const TriangleCone& cone, const Vec3& u) {
   const double radius = cone.radius(u);
   const FacePlane& plane = cone.plane();
@@ -22,7 +22,7 @@ RadiusRange radius_range(const TriangleCone& cone, const Vec3& u) {
   return {radius - error, radius + error};
 }
 
-// Of the layer along x: the nearest or the farthest of the faces that x meets.
+// The radius of the layer along x: of the nearest or the farthest face that the ray meets.
 RadiusRange layer_range(const NearFaces& surface, const Vec3& x, Layer layer) {
   const Vec3 u = x.stableNormalized();
   RadiusRange found;
@@ -37,7 +37,7 @@ RadiusRange layer_range(const NearFaces& surface, const Vec3& x, Layer layer) {
     } else {
       found = {std::max(found.low, here.low), std::max(found.high, here.high)};
     }
-    return false;  // and the next
+    return false;  // goes on to the next face
   });
   return found;
 }

@@ -19,7 +19,7 @@ std::vector<FaceCap> caps_of(const TriangleMesh& mesh) {
   return caps;
 }
 
-// Half as wide again as the mean cap of a face.
+// A margin half as wide again as the mean cap of a face.
 double reach_of(const std::vector<FaceCap>& caps) {
   double sum = 0.0;
   for (const FaceCap& one : caps) sum += std::min(one.cap.radius, kWidestReach);
@@ -33,21 +33,21 @@ std::array<Corners, 4> quarters(const Corners& c) {
   return {{{c[0], ab, ca}, {ab, c[1], bc}, {ca, bc, c[2]}, {ab, bc, ca}}};
 }
 
-// Can a face of that surface with these radii reach any with those?
+// Can a face with the radii `range` of the moved surface impinge on one with the radii `rest`?
 bool may_reach(Surface moved, const RadiusRange& range, const RadiusRange& rest) {
   return moved == Surface::ball ? range.high >= rest.low : range.low <= rest.high;
 }
 
-// Of a face that is larger than the reach: no more than make as many pieces as there are faces.
+// How often a face may be halved: until there are as many pieces as the mesh has faces.
 int most_halvings(std::size_t faces) {
   int halvings = 0;
   while (halvings < 8 && (std::size_t{1} << (2 * halvings)) < faces) ++halvings;
   return halvings;
 }
 
-// Calls visit(face) for faces of the surface at rest that may share a direction with the piece of the moved
-// one and be reached, some more than once, until it returns true. Pieces are small enough for one look into
-// the index; in the end all faces are tried.
+// Calls visit(face), until it returns true, for the faces of the surface at rest that may impinge with a
+// piece of a moved face, some more than once. The piece is halved until it is small enough for one look-up;
+// after the last halving all faces are tried.
 template <class Visit>
 bool visit_candidates(Surface moved, const NearFaces& rest, const Corners& piece, int halvings,
                       Visit& visit) {
@@ -67,8 +67,8 @@ bool visit_candidates(Surface moved, const NearFaces& rest, const Corners& piece
   return std::ranges::any_of(all, visit);
 }
 
-// Caps of at most a quarter turn each that are farther apart than both their radii share no direction. An
-// angle is no less than its chord, which tells the smallest angles, too.
+// Caps of at most a quarter turn share no direction if they are farther apart than the sum of their radii.
+// The chord is used for small angles, as an angle is no less than its chord.
 bool caps_apart(const FaceCap& a, const FaceCap& b) {
   return a.small() && b.small() && (a.cap.axis - b.cap.axis).norm() > a.cap.radius + b.cap.radius;
 }
@@ -107,7 +107,7 @@ bool SurfaceOverlay::visit_pairs(Surface moved, const Pose& pose, const Visit& v
   return false;
 }
 
-// Pairs of (1) and then those of (2).
+// Visits the pairs of (1), then the pairs of (2).
 template <class Visit>
 bool SurfaceOverlay::visit_both(const Pose& pose, const Visit& visit) const {
   return visit_pairs(Surface::ball, pose, visit) || visit_pairs(Surface::socket, pose, visit);

@@ -31,7 +31,7 @@ double distance_to(const Segment& edge, const Vec3& x) {
   return (edge[0] + share * along - x).norm();
 }
 
-// Share of the rim where an edge of one face alone is near.
+// Share of the rim's points that are near an edge of only one face.
 double at_mesh_end(const TriangleMesh& mesh, const RimProfile& rim) {
   std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
   for (const Face& face : mesh.faces) {
@@ -52,14 +52,14 @@ double at_mesh_end(const TriangleMesh& mesh, const RimProfile& rim) {
   return near / all;
 }
 
-// Points of n.x = distance.
+// The points x with normal.x = distance.
 struct Plane {
   Vec3 normal = Vec3::Zero();
   double distance = 0.0;
   double from(const Vec3& x) const { return std::abs(normal.dot(x) - distance); }
 };
 
-// Least squares plane.
+// The plane that fits points best, by least squares.
 Plane plane_through(const std::vector<Vec3>& points) {
   Vec3 mean = Vec3::Zero();
   for (const Vec3& x : points) mean += x / static_cast<double>(points.size());
@@ -69,7 +69,7 @@ Plane plane_through(const std::vector<Vec3>& points) {
   return {normal, normal.dot(mean)};
 }
 
-// Those points of the plane of three that has most of them.
+// Of planes through three random points takes the one that most points lie on; returns these points.
 std::vector<Vec3> most_on_a_plane(const std::vector<Vec3>& points, double tolerance) {
   std::mt19937 random(kSeed);
   const auto pick = [&]() -> const Vec3& { return points[random() % points.size()]; };
@@ -88,7 +88,7 @@ std::vector<Vec3> most_on_a_plane(const std::vector<Vec3>& points, double tolera
   return best;
 }
 
-// The plane that most points lie on, refined over these.
+// The plane that most points of the rim lie on, fitted to these points.
 Plane rim_plane(const RimProfile& rim, double tolerance_times) {
   std::vector<Vec3> points;
   for (const auto& x : rim.points) {
@@ -100,8 +100,8 @@ Plane rim_plane(const RimProfile& rim, double tolerance_times) {
   return plane_through(most_on_a_plane(points, tolerance_times * tolerance));
 }
 
-// Where the rim crosses the coronal plane through the head's centre, the upper of the crossings; `centre`
-// from that of the socket.
+// The angle at the upper place where the rim crosses the coronal plane through the head's centre. `centre` is
+// the head's, relative to the socket's.
 std::optional<double> lateral_centre_edge(const RimProfile& rim, const Vec3& centre, double lateral) {
   std::optional<Vec3> highest;
   for (std::size_t k = 0; k < rim.points.size(); ++k) {

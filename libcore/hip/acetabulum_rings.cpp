@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kHidden = 0.03;  // radians by which the outer side stays behind the inner
 
-// The point of the sphere of the socket, from its centre, at a share of the way from the pole to the rim and
-// `hours` round the clock; `out` behind the surface, and `back` radians inside the rim.
+// A point on the sphere of the socket, seen from its centre: at a share of the way from the pole to the rim
+// and `hours` round the clock, `out` mm behind the surface and `back` radians inside the rim.
 struct Place {
   double share;
   double hours;

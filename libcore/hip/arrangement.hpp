@@ -23,8 +23,8 @@ struct Facing {
 Facing facing(const TriangleMesh& ball, const TriangleMesh& socket);
 
 /// Were the two files swapped? True if the ball lies beyond the socket in more than 70 % of the directions
-/// that both cover, and is a cap (`cap`) or covers fewer directions than the socket. A ball that is merely
-/// too large still covers more directions than the socket.
+/// that both cover, and the ball is a cap (`cap`) or covers fewer directions than the socket. A ball that is
+/// merely too large still covers more directions than the socket.
 bool look_swapped(const Facing& facing, bool cap);
 
 /// Does the socket lie on the lateral side of the ball? In a hip or a shoulder it lies medially: to the left

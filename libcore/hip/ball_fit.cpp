@@ -24,8 +24,8 @@ constexpr double kSmallestSphere = 0.02;  // of the size of the mesh
 constexpr double kAlongRadius = 0.8;      // cosine between normal and radius of a voter
 constexpr double kParallel = 0.05;        // squared difference of normals that meet nowhere near
 constexpr double kFirstTolerance = 0.10;  // of the first fit after the vote, as a share of the radius
-constexpr double kFinest = 1e-4;          // smallest trim, the same: what rounding leaves of a true sphere
-constexpr double kNormalScale = 1.4826;   // standard deviation over median of absolute normal deviates
+constexpr double kFinest = 1e-4;  // smallest trim, share of the radius: what rounding leaves of a sphere
+constexpr double kNormalScale = 1.4826;  // standard deviation over median of absolute normal deviates
 constexpr int kMostRefinements = 60;
 constexpr double kSocketEnd = 1.5;    // head radii from the centre: the socket is nearer
 constexpr double kSocketStart = 0.8;  // and farther than that
@@ -42,7 +42,7 @@ struct Trial {
   double radius;
 };
 
-// All vertices, or of a large mesh those at equal steps of area.
+// All vertices, or of a large mesh some at equal steps of area.
 std::vector<Voter> voters_of(const TriangleMesh& mesh) {
   std::vector<Vec3> normal(mesh.vertices.size(), Vec3::Zero());
   for (const Face& face : mesh.faces) {
@@ -74,7 +74,7 @@ std::optional<Trial> through_points(const Vec3& a, const Vec3& b, const Vec3& c,
   return Trial{a + offset, offset.norm()};
 }
 
-// The sphere on whose radii both normals lie best: a - r m = b - r n.
+// The sphere that best has both vertices on it and their normals along the radius: a - r m = b - r n.
 std::optional<Trial> through_normals(const Voter& a, const Voter& b) {
   const Vec3 turned = a.normal - b.normal;
   if (turned.squaredNorm() < kParallel) return std::nullopt;
@@ -104,7 +104,7 @@ double size_of(const std::vector<Voter>& voters) {
   return box.diagonal().norm();
 }
 
-// The best trial sphere; that of all vertices where no trial finds support.
+// The best trial sphere; the sphere through all vertices where no trial finds support.
 SphereFit best_trial(const TriangleMesh& mesh, const BallFitOptions& options) {
   SphereFit best;
   const std::vector<Voter> voters = voters_of(mesh);
@@ -129,8 +129,8 @@ SphereFit best_trial(const TriangleMesh& mesh, const BallFitOptions& options) {
   return best;
 }
 
-// Area (mm^2) of each vertex in faces whose outer side looks away from the centre. Orientation as a whole is
-// not trusted: the side with more area near the sphere counts as the outer one.
+// Area (mm^2) that each vertex has in faces whose outer side looks away from the centre. The faces may all be
+// inside out: the side with more area near the sphere counts as the outer one.
 std::vector<double> outer_areas(const TriangleMesh& mesh, const SphereFit& fit) {
   std::vector<double> out(mesh.vertices.size(), 0.0);
   std::vector<double> in(mesh.vertices.size(), 0.0);
@@ -165,7 +165,7 @@ Region region_of(const TriangleMesh& mesh, const SphereFit& fit) {
   return region;
 }
 
-// Standard deviation of the residuals, estimated by their median, by area.
+// Standard deviation of the residuals, estimated from their area-weighted median.
 double robust_deviation(const Region& region, const SphereFit& fit) {
   std::vector<std::pair<double, double>> residual;  // and weight
   double total = 0.0;

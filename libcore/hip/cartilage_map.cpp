@@ -16,7 +16,7 @@ struct Neighbour {
   double thickness = 0.0;
 };
 
-// The nearest of the map, nearest first.
+// The nearest entries of the map, nearest first.
 std::array<Neighbour, kNearest> nearest(const CartilageMap& map, const Vec3& direction) {
   std::array<Neighbour, kNearest> found;
   for (std::size_t i = 0; i < map.directions.size(); ++i) {

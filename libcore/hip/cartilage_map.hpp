@@ -22,9 +22,9 @@ struct CartilageMap {
 /// directions and never leaves their range. The map must not be empty.
 double thickness_at(const CartilageMap& map, const Vec3& direction);
 
-/// Each gap (mm) divided by the thickness at its place (centre frame, posed): 1 where the two layers of
-/// cartilage begin to touch. Gaps of 0 or less, bone on bone, stay in mm; a gap over no cartilage is
-/// infinite; NaN stays NaN.
+/// Each gap (mm) divided by the thickness at its place (centre frame, posed); the result is 1 where the two
+/// layers of cartilage begin to touch. Gaps of 0 or less, bone on bone, stay in mm. A gap over no cartilage
+/// becomes infinite; NaN stays NaN.
 std::vector<double> shares_of_cartilage(std::span<const double> gap, std::span<const Vec3> places,
                                         const CartilageMap& map);
 

@@ -11,7 +11,7 @@
 
 namespace impinge {
 
-/// The dial, in the joint frame: unit vectors in the plane square to the axis of the socket.
+/// The dial, in the joint frame: unit vectors in the plane perpendicular to the axis of the socket.
 struct ClockFace {
   Vec3 twelve = Vec3::UnitZ();  // unit vector towards 12 o'clock
   Vec3 three = Vec3::UnitY();   // unit vector towards 3 o'clock
@@ -20,12 +20,12 @@ struct ClockFace {
   double hours(const Vec3& direction) const;
 };
 
-/// The dial about an axis (a unit vector, joint frame); none if it is vertical (no side of the dial is
+/// The dial about an axis (a unit vector, joint frame). None if the axis is vertical (no side of the dial is
 /// superior) or points straight forward or back (none is anterior).
 std::optional<ClockFace> clock_about(const Vec3& axis);
 
 /// The dial of a socket (joint frame, centre as origin), about the area-weighted mean direction of the
-/// surface; none as in clock_about(), or if the mean vanishes.
+/// surface. None as for clock_about(), or if the mean vanishes.
 std::optional<ClockFace> clock_face(const TriangleMesh& socket);
 
 /// A stretch of the dial, from `from` clockwise to `to`, hours in [0, 12).
@@ -35,9 +35,9 @@ struct ClockZone {
   double area = 0.0;  // mm^2
 };
 
-/// Groups points at `hours`, each with its `area` (mm^2, same size), into stretches of the dial: resolved to
-/// a quarter of an hour, gaps of one quarter bridged, the largest area first. A full turn is one zone from 0
-/// to 0.
+/// Groups points at `hours`, each with its `area` (mm^2, same size), into stretches of the dial, the largest
+/// area first. They are resolved to a quarter of an hour, and gaps of one quarter are bridged. A full turn is
+/// one zone from 0 to 0.
 std::vector<ClockZone> clock_zones(std::span<const double> hours, std::span<const double> area);
 
 /// "1:30" for 1.5; 0 is "12:00".

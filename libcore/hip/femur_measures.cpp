@@ -17,8 +17,8 @@
 namespace impinge {
 namespace {
 
-constexpr double kShaftStart = 1.45;  // the same: no shaft is nearer
-constexpr double kShaftEnd = 6.0;     // the same, down the shaft: a whole femur widens to the knee beyond
+constexpr double kShaftStart = 1.45;  // head radii from the centre: no shaft is nearer
+constexpr double kShaftEnd = 6.0;     // head radii down the shaft: a whole femur widens to the knee beyond
 constexpr double kBridge = 20.0;      // degrees of the head between neck and cam
 constexpr int kSectors = 24;          // about the neck, all of which its section has to meet
 constexpr double kEndFace = 0.5;      // cosine between normal and axis; above, a face belongs to the cut
@@ -32,7 +32,7 @@ constexpr int kBeside = 8;            // crossings to either side of a clock pos
 
 Vec3 mirrored(const Vec3& x, Side side) { return side == Side::left ? Vec3(-x.x(), x.y(), x.z()) : x; }
 
-// The same mesh as a right one, with the head's centre as origin.
+// The mesh mirrored to a right one where it is left, with the head's centre as origin.
 TriangleMesh as_right(TriangleMesh mesh, const Vec3& centre, Side side) {
   for (Vec3& v : mesh.vertices) v = mirrored(v - centre, side);
   if (side == Side::left) {
@@ -62,7 +62,7 @@ bool goes_round(const std::vector<Segment>& curve, const Vec3& axis) {
   const Vec3 third = axis.cross(across);
   std::array<bool, kSectors> met{};
   for (const Segment& s : curve) {
-    for (const double share : {0.0, 0.25, 0.5, 0.75}) {  // a coarse mesh has long ones
+    for (const double share : {0.0, 0.25, 0.5, 0.75}) {  // a coarse mesh has long edges
       const Vec3 x = s[0] + share * (s[1] - s[0]);
       const double turn = std::atan2(x.dot(third), x.dot(across)) / (2.0 * kPi) + 0.5;
       met[std::min(static_cast<std::size_t>(turn * kSectors), met.size() - 1)] = true;
@@ -71,8 +71,8 @@ bool goes_round(const std::vector<Segment>& curve, const Vec3& axis) {
   return std::ranges::all_of(met, [](bool m) { return m; });
 }
 
-// Of the angles from the axis, degrees, at which a surface that is off the head at the axis crosses it, the
-// last one. What stands off farther than kBridge from there is no part of the neck or its cam.
+// The last angle from the axis, degrees, at which a surface crosses the head, if it is off the head at the
+// axis. What stands off more than kBridge farther out is no part of the neck or its cam.
 double last_of(std::vector<double> crossings) {
   std::ranges::sort(crossings);
   if (crossings.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -81,7 +81,7 @@ double last_of(std::vector<double> crossings) {
   return crossings[last];
 }
 
-// That of the surface at these hours: `curve` is where it crosses the head.
+// The last crossing in the direction `outward`; `curve` is where the surface crosses the head.
 double last_crossing(const std::vector<Segment>& curve, const Vec3& axis, const Vec3& outward) {
   const Vec3 across = axis.cross(outward);
   std::vector<double> crossings;
@@ -95,7 +95,7 @@ double last_crossing(const std::vector<Segment>& curve, const Vec3& axis, const 
   return last_of(std::move(crossings));
 }
 
-// The median of those about a clock position, which noise of single vertices hardly moves.
+// The median of the last crossings about a clock position; noise of single vertices hardly moves it.
 double steady_crossing(const std::vector<Segment>& curve, const Vec3& axis, const ClockFace& clock,
                        double hours, double window) {
   std::vector<double> found;
@@ -125,9 +125,9 @@ std::vector<Segment> plane_section(const TriangleMesh& mesh, const Vec3& normal)
   return section;
 }
 
-// Centre and radius of the circle in the plane of x and y that fits a contour by least squares, from a first
-// one about the origin; over what is off it by at most `trim`, and by kScales standard deviations (as
-// fit_ball()), which the neck hardly changes.
+// Centre and radius of the circle in the plane of x and y that fits a contour by least squares. It begins
+// with a circle about the origin. As in fit_ball(), points that are off it by more than `trim` or by kScales
+// standard deviations do not count; the neck hardly changes these.
 std::optional<std::pair<Vec3, double>> fit_circle(const std::vector<Segment>& contour, double radius,
                                                   double trim, const Vec3& x, const Vec3& y) {
   Vec3 centre = Vec3::Zero();
@@ -159,9 +159,9 @@ std::optional<std::pair<Vec3, double>> fit_circle(const std::vector<Segment>& co
   return std::pair(centre, radius);
 }
 
-// Alpha as Notzli et al. 2002 draw it: in the plane of the neck's axis and anterior, the circle that fits the
-// head's contour, from the line through its centre and the middle of the neck to where the contour last
-// leaves it. NaN where it does not.
+// Alpha as Notzli et al. 2002 draw it, in the plane of the neck's axis and the anterior direction. A circle
+// is fitted to the head's contour; the angle is from the line through its centre and the middle of the neck
+// to where the contour last leaves the circle. NaN where it does not leave it.
 double notzli_alpha(const TriangleMesh& mesh, const Vec3& middle_of_neck, const Vec3& anterior, double radius,
                     const MeasureChoices& choices) {
   const Vec3 x = middle_of_neck.normalized();
@@ -185,7 +185,7 @@ double notzli_alpha(const TriangleMesh& mesh, const Vec3& middle_of_neck, const 
   return last_of(std::move(crossings));
 }
 
-// Direction square to the normals of the straight lower end of the shaft, pointing down it.
+// Unit vector down the shaft, perpendicular to the normals of its straight lower end.
 std::optional<Vec3> shaft_axis(const TriangleMesh& mesh, double head_radius, double share) {
   Vec3 axis = *std::ranges::max_element(mesh.vertices, {}, [](const Vec3& v) { return v.squaredNorm(); });
   const double beyond = std::min(axis.norm(), kShaftEnd * head_radius) - kShaftStart * head_radius;
@@ -213,7 +213,7 @@ std::optional<Vec3> shaft_axis(const TriangleMesh& mesh, double head_radius, dou
   return axis;
 }
 
-// Angle of the neck from the transverse axis, in the plane square to the shaft.
+// Angle of the neck from the transverse axis, in the plane perpendicular to the shaft.
 double torsion_deg(const Vec3& neck, const Vec3& shaft) {
   const Vec3 lateral = (Vec3::UnitX() - shaft.x() * shaft).normalized();
   const Vec3 anterior = lateral.cross(shaft);

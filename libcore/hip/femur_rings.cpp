@@ -9,19 +9,19 @@
 namespace impinge {
 namespace {
 
-constexpr double kFine = 0.7;                  // spacing where head and neck meet
-constexpr double kCoarse = 1.8;                // and along the shaft
+constexpr double kFine = 0.7;                  // times the spacing, where head and neck meet
+constexpr double kCoarse = 1.8;                // times the spacing, along the shaft
 constexpr double kFineUpTo = 100.0 * kDegree;  // from the neck axis: cams end there
 constexpr double kProfileStep = 0.05 * kDegree;
 
-// Cross-sections are circles or rings about `middle` in the plane of the two unit vectors.
+// A cross-section is a circle or ring about `middle` in the plane of the two unit vectors.
 struct Section {
   Vec3 middle;
   Vec3 first;
   Vec3 second;
 };
 
-// The plane of neck and shaft: `inward` is square to the neck, on the side to which it bends.
+// The plane of neck and shaft. `inward` is perpendicular to the neck, on the side to which it bends.
 struct Frame {
   Vec3 neck;
   Vec3 inward;
@@ -99,7 +99,7 @@ long steps_over(double length, double spacing) {
   return std::max(1L, std::lround(length / (kBandHeight * spacing)));
 }
 
-// Section after a bend by `angle`, the middle of the ring on the arc.
+// The section after a bend by `angle`; its middle is on the arc.
 Section bent_section(const HipSurface& hip, double angle) {
   const Frame frame = frame_of(hip);
   const Vec3 pivot = neck_end(hip) * frame.neck + hip.bend_radius * frame.inward;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gaps as files: gaps.csv, and a PLY of one surface.
+// Gaps as text for the file gaps.csv.
 #pragma once
 
 #include <span>
@@ -18,8 +18,9 @@ struct GapsOfSurface {
   std::span<const double> gap;      // mm, of each
 };
 
-/// surface,vertex,x,y,z,gap_mm with a header line; numbers as the shortest text that reads back as the same
-/// double; gap_mm is empty for NaN. All of the ball, then all of the socket; an empty surface has no lines.
+/// CSV text with the header surface,vertex,x,y,z,gap_mm. A number is the shortest text that reads back as the
+/// same double; gap_mm is empty for NaN. The ball's vertices come first, then the socket's; an empty surface
+/// has no lines.
 std::string gaps_csv(const GapsOfSurface& ball, const GapsOfSurface& socket);
 
 }  // namespace impinge

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMostTries = 12;
 constexpr double kCloseEnough = 0.01;
-constexpr double kPartSpacing = 2.0;  // to that of the surface: parts touch seldom
+constexpr double kPartSpacing = 2.0;  // times the surface's spacing: parts seldom touch
 
 // Faces that loft() makes of the rings.
 std::size_t face_count(const PointRings& rings) {
@@ -32,7 +32,7 @@ void turn_over(TriangleMesh& mesh) {
   for (Face& face : mesh.faces) std::swap(face[1], face[2]);
 }
 
-// Faces are as many as edges are short: their number goes with 1 / spacing^2, up to rounding.
+// The number of faces goes with 1 / spacing^2, up to rounding.
 double usual_spacing(const HipSurface& hip, std::size_t faces) {
   return hip.head_radius * std::sqrt(30.0 / static_cast<double>(faces));
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kThickestNeck = 0.95;  // of the head's radius
 constexpr double kThinnestNeck = 0.25;
-constexpr double kLargestFillet = 0.33;  // the same
+constexpr double kLargestFillet = 0.33;  // of the head's radius
 constexpr double kStraightNeck = 1.45;   // of the head's radius, from the centre
 constexpr double kWidestRim = 140.0;     // degrees from the pole
 constexpr double kNarrowestRim = 20.0;
@@ -92,7 +92,7 @@ RestGap smallest_at_rest(const HipSurface& hip) {
   return least;
 }
 
-// Distance of the ball with its parts along a direction that meets one of them or the neck.
+// Distance of the ball with its parts, along a direction that meets the neck or one of the parts.
 double ball_reach(const HipSurface& hip, const std::vector<BonePart>& parts, const Vec3& direction) {
   double reach = head_neck_radius(hip, direction);
   for (const BonePart& part : parts) reach = std::fmax(reach, part.farthest(direction));
@@ -104,9 +104,9 @@ bool within_rim(const HipSurface& hip, const Vec3& direction) {
   return angle_between(x, -hip.opening) <= rim_polar(hip, hip.rim_clock.hours(x));
 }
 
-// A part of bone that meets the other bone at rest.
+// Refuses a part of bone that meets the other bone at rest.
 void require_free_parts(const HipSurface& hip) {
-  constexpr double kStep = 2.0;  // mm between points of a part that are asked for
+  constexpr double kStep = 2.0;  // mm between the points of a part that are tested
   const std::vector<BonePart> femur = femur_parts(hip);
   const std::vector<BonePart> acetabulum = acetabulum_parts(hip);
   const char* cure = "lower it, or move the part away";

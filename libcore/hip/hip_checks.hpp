@@ -7,10 +7,10 @@
 
 namespace impinge {
 
-/// Refuses a parameter outside of its range, one of conchoid_a and conchoid_b alone, and a <= b.
+/// Refuses a parameter outside its range, conchoid_a without conchoid_b or the reverse, and a <= b.
 void require_range(const HipParameters& parameters);
 
-/// Refuses a neck too thin, too thick or too short to be told from head and shaft, and a rim too near to a
+/// Refuses a neck that is too thin, thick or short to be told from head and shaft, and a rim too near to a
 /// pole.
 void require_shape(const HipSurface& hip);
 

@@ -23,7 +23,7 @@ constexpr double kSpineHalfWidth = 8.0;     // mm, half of 16
 constexpr double kEdgeOfIcosahedron = 1.1;  // to its radius, about
 constexpr double kMostHalvings = 4.0;
 
-// The plane of neck and shaft from above: `out` to the shaft, `back` square to it.
+// The plane of neck and shaft from above: `out` points to the shaft, `back` is perpendicular to it.
 struct ShaftFrame {
   Vec3 out;
   Vec3 back;
@@ -54,7 +54,7 @@ BonePart greater_trochanter(const HipSurface& hip) {
           columns(kHalfDepth * width * at.out, 0.5 * width * -at.back, kHalfHeight * width * Vec3::UnitZ())};
 }
 
-// Its middle lies on the surface of the shaft, as far below the other tip as the tips are apart.
+// Its middle lies on the surface of the shaft, as far below the greater tip as the tips are apart.
 BonePart lesser_trochanter(const HipSurface& hip) {
   const HipParameters& p = hip.parameters;
   const double height = p.lesser_trochanter_height;
@@ -70,7 +70,7 @@ BonePart lesser_trochanter(const HipSurface& hip) {
           columns(height * from, height * Vec3::UnitZ().cross(from), kLesserLength * height * Vec3::UnitZ())};
 }
 
-// Its middle lies in the plane of the rim as it is without additions.
+// Its middle lies in the plane of the rim, without pincer or other additions.
 BonePart spine(const HipSurface& hip) {
   const HipParameters& p = hip.parameters;
   const double half = p.half_opening * kDegree;
@@ -83,7 +83,7 @@ BonePart spine(const HipSurface& hip) {
                   p.aiis_height * hip.opening)};
 }
 
-// t of both crossings of t u: |axes^-1 (t u - middle)| = 1.
+// The crossing t of the ray t u with the ellipsoid, |axes^-1 (t u - middle)| = 1; `sign` picks one of two.
 double crossing(const BonePart& part, const Vec3& direction, double sign) {
   const Eigen::Matrix3d inverse = part.axes.inverse();
   const Vec3 along = inverse * direction;

@@ -19,10 +19,10 @@ struct BonePart {
 
   /// Distance at which a ray from the origin enters the ellipsoid, mm; NaN if it misses.
   double nearest(const Vec3& direction) const;
-  double farthest(const Vec3& direction) const;  // the same where it leaves
+  double farthest(const Vec3& direction) const;  // distance at which it leaves; NaN likewise
 };
 
-/// The greater and lesser trochanter, as far as the hip has them.
+/// The greater and the lesser trochanter, if the hip has them.
 std::vector<BonePart> femur_parts(const HipSurface& hip);
 /// The anterior inferior iliac spine, if the hip has one.
 std::vector<BonePart> acetabulum_parts(const HipSurface& hip);

@@ -65,7 +65,7 @@ constexpr std::array kPresets{
             .pincer_half_width = 0.7,
             .shift_lateral = 0.3,
             .shift_anterior = -1.35}},
-    // A broad cam, a deep socket, and a prominent rim at 7 o'clock, which the neck comes near to in
+    // A broad cam, a deep socket, and a prominent rim at 7 o'clock, to which the neck comes near in
     // adduction.
     Preset{"patient_b",
            {.side = Side::left,

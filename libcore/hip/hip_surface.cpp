@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kHour = kPi / 6.0;    // of a clock, radians
 constexpr double kLateralHours = 2.0;  // to either side, over which the rim is raised to the CE angle
-constexpr double kBendShare = 1.3;     // bend radius to radius of what is bent
+constexpr double kBendShare = 1.3;     // bend radius divided by the radius of what is bent
 constexpr double kHighestAlpha = 2.0;  // radians; where the search for the alpha angle begins
 constexpr double kAlphaStep = 0.25 * kDegree;
 constexpr int kBisections = 60;
@@ -30,7 +30,7 @@ double bump(double t) {
 
 double hours_apart(double a, double b) { return std::remainder(a - b, 12.0); }
 
-// Larger of the two, rounded over where they differ by less than `reach`, by a quarter of it at the most.
+// The larger of the two. Where they differ by less than `reach` the edge is rounded, by at most reach / 4.
 double smooth_max(double a, double b, double reach) {
   const double apart = std::abs(a - b);
   if (apart >= reach) return std::max(a, b);
@@ -38,7 +38,7 @@ double smooth_max(double a, double b, double reach) {
   return std::max(a, b) + 0.25 * reach * share * share;
 }
 
-// Point of the conchoid r = a + b cos(phi) from its origin: along its axis, and away from it.
+// A point of the conchoid r = a + b cos(phi), relative to its origin: along the axis, and away from it.
 struct ProfilePoint {
   double along;
   double away;
@@ -50,7 +50,7 @@ ProfilePoint conchoid_point(const HipParameters& p, double phi) {
 
 bool is_conchoid(const HipParameters& p) { return p.conchoid_a > 0.0 && p.conchoid_b > 0.0; }
 
-// The sphere that fits the conchoid best over phi <= 90 degrees, all of its surface with the same weight.
+// The sphere that fits the conchoid best over phi <= 90 degrees, with equal weight on all of its surface.
 SphereFit fit_conchoid(const HipParameters& p) {
   constexpr int kSteps = 90;
   constexpr int kTurns = 8;
@@ -69,7 +69,7 @@ SphereFit fit_conchoid(const HipParameters& p) {
   return fit_sphere(points, weight);
 }
 
-// Distance of the conchoid from a point on its axis, `origin` ahead of its own, at `polar` from the axis.
+// Distance of the conchoid at `polar` from its axis, seen from a point on the axis `origin` ahead of its own.
 double conchoid_radius(const HipParameters& p, double origin, double polar) {
   double low = 0.0;
   double high = kPi;

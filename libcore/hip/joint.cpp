@@ -25,13 +25,13 @@
 namespace impinge {
 namespace {
 
-// A closed ball round the centre sums to a solid angle of 4 pi. A shell of cartilage sums to 0; one that
+// Seen from its centre, a closed ball has a solid angle of 4 pi and a closed shell of cartilage 0. One that
 // fills less than half of the view is a cap, or lies beside its centre.
 constexpr double kHalfOfTheView = 0.5;
 constexpr double kHalfOfTheSphere = 2.0 * kPi;
 // mm between the surfaces as scanned: both layers of cartilage have 3 to 5.
 constexpr double kFarApart = 12.0;
-// How far a centre may be from that of the sphere that fits the ball: mm, or a share of its radius.
+// How far a given centre may be from that of the sphere that fits the ball: mm, or a share of its radius.
 constexpr double kOffCentre = 5.0;
 constexpr double kOffCentreShare = 0.25;
 
@@ -67,7 +67,7 @@ bool is_cap(const StarShapeReport& ball) {
   return std::abs(ball.solid_angle) < kHalfOfTheSphere && ball.covered < kHalfOfTheView;
 }
 
-// A centre that is given is taken, wherever a sphere fits.
+// A given centre is taken, whatever sphere fits; this warns where the two differ.
 void check_centre(const JointInput& input, Joint& joint) {
   if (joint.fit || is_cap(joint.ball.star_shape)) return;
   try {
@@ -92,7 +92,7 @@ SphereFit fit_cap(const TriangleMesh& mesh) {
   }
 }
 
-// Why a centre that is given cannot be that of a cap; empty where it can. One that was fitted can.
+// Why a given centre cannot be the centre of a cap; empty where it can. A fitted centre always can.
 std::string refused_centre(const Joint& joint) {
   if (joint.fit) return {};
   try {
@@ -112,7 +112,7 @@ void require_two_meshes(const JointInput& input) {
                   "check " + input.wording.meshes);
 }
 
-// A cap of a ball is good for what it covers; a ball beside the centre is none.
+// A cap answers for the directions it covers; a ball beside the centre is refused.
 void check_view(const JointInput& input, Joint& joint) {
   const StarShapeReport& ball = joint.ball.star_shape;
   const bool cap = is_cap(ball);
@@ -176,7 +176,7 @@ void warn_of_flaws(const MeshReport& report, const std::string& name, Joint& joi
   joint.warnings.push_back(name + ": " + found);
 }
 
-// Specks of a segmentation are bone like all else. Of a mesh as it was given.
+// Specks of a segmentation count as bone. The mesh is as it was given.
 void warn_of_pieces(const TriangleMesh& mesh, const std::string& name, const JointWording& wording,
                     Joint& joint) {
   const std::vector<MeshPiece> pieces = mesh_pieces(mesh);
@@ -197,14 +197,14 @@ void warn_of_pieces(const NamedMesh& of, const JointWording& wording, Joint& joi
     warn_of_pieces(part_surface(of.mesh, of.parts, k), name_of_part(of, k), wording, joint);
 }
 
-// What gaps are where a ray meets a surface more than once.
+// Says which layer gaps are measured to where a ray meets a surface more than once.
 void warn_of_layers(const JointPart& part, const std::string& name, const std::string& layer, Joint& joint) {
   if (part.star_shape.star_shaped) return;
-  joint.warnings.push_back(name + ": " + describe(part.star_shape) + "; gaps are to the " + layer +
-                           " layer along each ray, contact is that of the surfaces");
+  joint.warnings.push_back(name + ": " + describe(part.star_shape) + "; gaps are measured to the " + layer +
+                           " layer along each ray, contact considers all surfaces");
 }
 
-// Leaves the main surface, and returns all.
+// Returns the whole mesh, and leaves only the main surface behind.
 NamedMesh take_whole(NamedMesh& of) {
   TriangleMesh main = main_surface(of.mesh, of.parts);
   return {of.name, std::exchange(of.mesh, std::move(main)), std::move(of.parts), of.part_names};
@@ -225,7 +225,7 @@ void add_parts(NamedMesh whole, JointPart& to, Joint& joint) {
     to.star_shape.edge_on += is_edge_on(to.mesh, to.mesh.faces[f]) ? 1U : 0U;
 }
 
-// Of the ball, mm; none where nothing is a whole bone, or no sphere round the centre fits the ball.
+// Radius of the ball, mm; none if neither mesh is a whole bone or no sphere round the centre fits the ball.
 std::optional<double> head_radius(const Joint& joint) {
   if (joint.fit) return joint.fit->radius;
   double nearest = std::numeric_limits<double>::infinity();  // no head has a smaller radius
@@ -242,8 +242,8 @@ std::optional<double> head_radius(const Joint& joint) {
   }
 }
 
-// Leaves of a whole bone its surface of the joint. False if it is said to be a ball and is none: no head
-// closes about the centre.
+// Makes the surface of the joint the main surface of a whole bone. False if the bone is said to be a ball but
+// no head closes about the centre.
 bool take_surface(Surface of, double radius, NamedMesh& whole, Joint& joint) {
   JointPart& part = of == Surface::ball ? joint.ball : joint.socket;
   if (!is_whole_bone(part.mesh, part.star_shape.violating, radius)) return true;
@@ -268,8 +268,7 @@ bool take_surface(Surface of, double radius, NamedMesh& whole, Joint& joint) {
   return true;
 }
 
-// A part that shares sides of its border with the bone so far, where both end, was cut from it and goes on
-// from it.
+// A part was cut from the bone if the two share sides of their borders; then it continues the main surface.
 void join_what_goes_on(JointPart& bone) {
   const auto border = [](const TriangleMesh& mesh) { return boundary_edges(weld(mesh)).size(); };
   for (std::size_t k = 0; k < bone.parts.size(); ++k) {
@@ -283,7 +282,7 @@ void join_what_goes_on(JointPart& bone) {
   }
 }
 
-// Seen from the centre, the surface remains what it was.
+// Every point moves along its ray, so the surface looks the same from the centre.
 void make_smaller(const JointInput& input, Joint& joint) {
   if (input.overlap_mm == 0.0) return;
   for (Vec3& x : joint.ball.mesh.vertices) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two surfaces of a joint about its centre of rotation, and what is wrong with them.
+// The two surfaces of a joint about its centre of rotation, and warnings about what is wrong with them.
 #pragma once
 
 #include <cstddef>
@@ -19,25 +19,25 @@
 
 namespace impinge {
 
-/// What was taken of a whole bone (hip/whole_bone.hpp) as the surface of the joint.
+/// Which faces of a whole bone (hip/whole_bone.hpp) became the surface of the joint.
 struct TakenFaces {
-  std::size_t faces = 0;             // taken
-  std::size_t of = 0;                // faces of the bone
-  double within_mm = 0.0;            // of the centre
-  std::vector<std::uint32_t> given;  // place of each face of the bone as it is in the mesh, as it was given
+  std::size_t faces = 0;             // number of faces taken
+  std::size_t of = 0;                // number of faces of the bone
+  double within_mm = 0.0;            // all taken faces are this close to the centre
+  std::vector<std::uint32_t> given;  // for each face of the bone in the mesh, its index as it was given
 };
 
 /// One surface of a joint, and what was found out about it.
 struct JointPart {
-  TriangleMesh mesh;            // centre frame, mm
-  std::vector<MeshPart> parts;  // of the mesh, behind its main surface
-  MeshReport validation;        // what is wrong with the mesh, as it was given
-  StarShapeReport star_shape;   // is the main surface star-shaped about the centre? `edge_on` is of the mesh
-  std::optional<TakenFaces> taken{};  // if the mesh is a whole bone: the main surface is these of its faces
+  TriangleMesh mesh;                  // centre frame, mm
+  std::vector<MeshPart> parts;        // of the mesh, behind its main surface
+  MeshReport validation;              // what is wrong with the mesh, as it was given
+  StarShapeReport star_shape;         // of the main surface about the centre; `edge_on` counts the whole mesh
+  std::optional<TakenFaces> taken{};  // the faces of a whole bone that are the main surface
 };
 
 struct Joint {
-  /// Is there bone beside it?
+  /// Is there bone beside the main surfaces?
   bool has_parts() const { return !ball.parts.empty() || !socket.parts.empty(); }
 
   JointPart ball;                          // about the centre
@@ -49,7 +49,7 @@ struct Joint {
   std::string axes = "RAS";                // where +x, +y and +z of the meshes point (hip/anatomy.hpp)
   std::optional<AnatomicalFrames> frames;  // from landmarks; see use_frames()
   std::vector<std::string> warnings;       // one line each; those that make the joint itself doubtful first
-  std::size_t doubts = 0;                  // number of these: a doubtful unit, side or place
+  std::size_t doubts = 0;  // number of warnings that make the joint doubtful: its unit, side or place
 };
 
 /// A mesh in the input frame, mm, and what messages call it.
@@ -60,7 +60,7 @@ struct NamedMesh {
   std::vector<std::string> part_names{};  // what messages call each part; `name` where there is none
 };
 
-/// What the calling program names its inputs, so that messages tell its user what to do.
+/// How the calling program names its inputs, so that messages tell its user what to do.
 struct JointWording {
   std::string centre = "with --centre X,Y,Z";               // how a centre is given
   std::string meshes = "the files of --ball and --socket";  // how the two meshes are given
@@ -70,7 +70,7 @@ struct JointWording {
   std::string keep = "--keep largest";  // how all but the largest piece of a mesh are left out
 };
 
-/// What a joint is put together from.
+/// The inputs of assemble_joint().
 struct JointInput {
   NamedMesh ball;              // may hold more than the ball
   NamedMesh socket;            // in the same frame
@@ -78,30 +78,31 @@ struct JointInput {
   std::optional<Side> side;    // of the body; unknown if not given
   std::string axes = "RAS";    // where +x, +y and +z of the meshes point (hip/anatomy.hpp)
   JointWording wording;        // of messages
-  /// How deep the surfaces may overlap along a ray before it is contact: the ball, parts and all, is taken so
-  /// much smaller along each ray, after all checks.
+  /// How deep the surfaces may overlap along a ray before this counts as contact, mm. After all checks the
+  /// ball with its parts is made smaller by this length along each ray.
   double overlap_mm = 0.0;
 };
 
-/// Puts both meshes into the centre frame and examines them. Of a whole bone the faces of the joint become
-/// the main surface, in the order that they had, and the rest its first part (whole_bone.hpp), unless it has
-/// none or a centre that is given lies outside of the sphere that fits the ball. std::runtime_error, one line
-/// with the name of the mesh and what to do, if one mesh is given for both, no sphere fits the ball, the
-/// centre is outside of the ball, no ray from the centre meets the socket, the two are swapped
-/// (arrangement.hpp), or one of them is in another unit of length (length_unit.hpp). Warnings are given for a
-/// size that no human joint has in mm, a socket lateral to the ball (left and right mixed up) or far from it,
-/// a ball that is only a cap, a centre that is given far from that of the sphere that fits, meshes of several
-/// pieces, and faulty faces. All but the last two are checked on the main surfaces alone.
+/// Puts both meshes into the centre frame and examines them. Of a whole bone (whole_bone.hpp) the faces of
+/// the joint become the main surface, in their given order, and the rest becomes its first part. The mesh
+/// stays as it is where no such faces are found or where the sphere that fits the ball does not hold the
+/// given centre. Throws std::runtime_error, one line with the name of the mesh and what to do, if one mesh is
+/// given for both, no sphere fits the ball, the centre is outside the ball, no ray from the centre meets the
+/// socket, the two are swapped (arrangement.hpp), or one of them is in another unit of length
+/// (length_unit.hpp). It warns of a size that no human joint has in mm, a socket lateral to the ball (left
+/// and right mixed up) or far from it, a ball that is only a cap, a given centre far from the centre of the
+/// fitted sphere, meshes of several pieces, and faulty faces. All but the last two are checked on the main
+/// surfaces alone.
 Joint assemble_joint(JointInput input);
 
-/// The joint without its parts of bone.
+/// The joint without its parts.
 Joint without_parts(Joint joint);
 
-/// The joint with the socket's main surface as whole as it was given.
+/// The joint with its socket's main surface made whole again, as it was given.
 Joint with_whole_socket(Joint joint);
 
-/// std::runtime_error, one line, if the joint has parts of bone that were given beside it; `what` names the
-/// question that takes only the main surfaces into account.
+/// Throws std::runtime_error, one line, if parts of bone were given beside the joint. `what` names the
+/// question, which takes only the main surfaces into account.
 void require_no_parts(const Joint& joint, const std::string& what);
 
 /// Makes the pelvic frame the joint frame. If `frames` has a femur, the ball's mesh is turned to be aligned

@@ -13,9 +13,9 @@ namespace impinge {
 namespace {
 
 constexpr double kOfRim = 0.2;         // radii of the socket from the rim
-constexpr double kSocketDepth = 1.25;  // of its deepest place from its centre, the same
-constexpr double kRimAlone = 0.1;      // radii of the socket from the rim, as is asked about alone
-constexpr double kLeastOff = 0.005;    // radii that the neck is off the head's sphere, at least and at most
+constexpr double kSocketDepth = 1.25;  // radii of the socket from its centre to its deepest place
+constexpr double kRimAlone = 0.1;      // radii of the socket from the rim, for "the rim alone"
+constexpr double kLeastOff = 0.005;    // head radii by which the neck is off the sphere, at least and at most
 constexpr double kMostOff = 0.04;
 constexpr const char* kInside = "inside of the socket";
 
@@ -63,7 +63,7 @@ std::string place_on_socket(const JointPlaces& places, const Vec3& y) {
   return inside ? kInside : "bone beyond the rim";
 }
 
-// Faces with a corner of which is_of(x) is true.
+// Keeps the faces that have a corner x with is_of(x).
 template <class IsOf>
 static void leave_faces(TriangleMesh& mesh, const IsOf& is_of) {
   std::vector<bool> of;

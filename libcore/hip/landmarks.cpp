@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kClosest = 20.0;  // mm between landmarks of one bone: closer ones do not tell a direction
 constexpr double kWidestPelvis = 600.0;  // mm between ASIS: no human has half of it, so it is another unit
-constexpr double kWidestKnee = 250.0;    // mm between epicondyles, likewise
-// Widths of the knee from it to the hip, of which there are five to nine: farther ones are of another scan.
+constexpr double kWidestKnee = 250.0;    // mm between epicondyles: no human has half of it
+// Widths of the knee from the knee to the hip; a human has five to nine. A farther centre is of another scan.
 constexpr double kFarthest = 20.0;
 
 [[noreturn]] void refuse(const std::string& reason) { throw std::invalid_argument(reason); }
@@ -33,13 +33,13 @@ void require_apart(const Vec3& from, const Vec3& to, const std::string& names, d
     refuse("the landmarks " + names + formatted(" are %.0f mm apart; give all places in mm", apart));
 }
 
-// On the line through two others a point tells no plane.
+// A point on the line through two others does not define a plane.
 void require_beside(const Vec3& point, const Vec3& from, const Vec3& to, const std::string& names) {
   if ((to - from).normalized().cross(point - from).norm() < kClosest)
     refuse("the landmarks " + names + " lie on one line within 20 mm; check them");
 }
 
-// Rows right, anterior, superior: the first is kept, the third as near as it can be.
+// Rows right, anterior, superior. The first keeps its direction, the third nearly.
 Eigen::Matrix3d frame_of(const Vec3& right, const Vec3& superior) {
   Eigen::Matrix3d rows;
   const Vec3 x = right.normalized();
@@ -48,7 +48,7 @@ Eigen::Matrix3d frame_of(const Vec3& right, const Vec3& superior) {
   return rows;
 }
 
-// The other way round: the superior axis is kept.
+// Rows right, anterior, superior; the third keeps its direction.
 Eigen::Matrix3d upright(const Vec3& right, const Vec3& superior) {
   Eigen::Matrix3d rows;
   const Vec3 z = superior.normalized();

@@ -3,12 +3,6 @@
 /// Anatomical frames from points that a person has marked, after Wu et al. 2002 (ISB recommendation,
 /// doi:10.1016/S0021-9290(01)00222-6), written in our order of axes (x right, y anterior, z superior; theirs
 /// are z, x and y).
-///
-/// Pelvis: x runs along the line from the left to the right ASIS. Wu et al. level the frame by the midpoint
-/// of the PSIS, which a scan of a hip rarely shows. Here the anterior pelvic plane, through both ASIS and the
-/// middle of the pubic tubercles (Lewinnek et al. 1978), is upright. The pelvic tilt between that plane and
-/// the frame of the scan is reported, since no landmark says how the patient stands. Femur: z runs from the
-/// middle of the epicondyles to the centre of rotation; x lies in the plane of these three points.
 #pragma once
 
 #include <optional>
@@ -33,16 +27,23 @@ struct Landmarks {
 struct AnatomicalFrames {
   Eigen::Matrix3d pelvis = Eigen::Matrix3d::Identity();
   std::optional<Eigen::Matrix3d> femur;  // none without epicondyles
-  double pelvic_tilt_deg = 0.0;   // of the plane from upright in the scan; forward (ASIS leading) is positive
+  double pelvic_tilt_deg =
+      0.0;  // of that plane from upright, in the scan; forward (ASIS leading) is positive
   std::optional<Motion> scanned;  // angles of the femur in the scan, degrees; none without epicondyles
 };
 
-/// `centre` is the centre of rotation in the frame of the meshes (mm), `axes` the rotation of
-/// input_to_joint() (hip/anatomy.hpp). std::invalid_argument, one line, if a point of the pelvis is missing,
-/// one epicondyle is given alone, epicondyles are given without a side, points are closer than 20 mm, farther
-/// apart than in any human (another unit than mm) or lie
-/// on one line, the knee is farther from the centre than any is, or left and right, above and below, or
-/// medial and lateral contradict the axes, the side or the centre.
+/// The frames from these points. `centre` is the centre of rotation in the frame of the meshes (mm), `axes`
+/// the rotation of input_to_joint() (hip/anatomy.hpp). Throws std::invalid_argument, one line, if a point of
+/// the pelvis is missing, one epicondyle is given alone or both without a side, points are closer than 20 mm,
+/// farther apart than in any human (another unit than mm) or on one line, the knee is farther from the centre
+/// than in any human, or left and right, above and below, or medial and lateral contradict the axes, the side
+/// or the centre.
+///
+/// Pelvis: x runs along the line from the left to the right ASIS. Wu et al. level the frame by the midpoint
+/// of the PSIS, which a scan of a hip rarely shows. Here the anterior pelvic plane, through both ASIS and the
+/// middle of the pubic tubercles (Lewinnek et al. 1978), is upright. The angle between that plane and the
+/// frame of the scan is reported as pelvic tilt, since no landmark says how the patient stands. Femur: z runs
+/// from the middle of the epicondyles to the centre of rotation; x lies in the plane of these three points.
 AnatomicalFrames anatomical_frames(const Landmarks& landmarks, const Vec3& centre, std::optional<Side> side,
                                    const Eigen::Matrix3d& axes);
 

@@ -18,13 +18,13 @@ struct Reach {
 /// Reach of the face corners of a mesh, which is in the centre frame and has faces.
 Reach reach_of(const TriangleMesh& mesh);
 
-/// Empty if the two may be in one unit; otherwise what is wrong and what to do. Wrong is that one surface is
-/// everywhere more than five times as far from the centre as the other, or that the median `ratio` of radii
-/// (Facing::ratio in arrangement.hpp; NaN if unknown) is above 5 or below 1/5.
+/// Empty if the two may be in one unit; otherwise what is wrong and what to do. They are not in one unit if
+/// every corner of one is more than five times as far from the centre as every corner of the other, or if the
+/// median `ratio` of radii (Facing::ratio in arrangement.hpp; NaN if unknown) is above 5 or below 1/5.
 std::string different_units(const Reach& ball, const Reach& socket, double ratio);
 
-/// Empty if a human ball may have this radius in mm: 5 (a newborn's has 8) to 50. Otherwise what to check: 2
-/// to 3 may be a human ball in centimetres, or a rat's in mm.
+/// Empty if a human ball may have this radius in mm: 5 (a newborn's has 8) to 50. Otherwise what to check: a
+/// radius of 2 to 3 may be a human ball in centimetres, or a rat's in mm.
 std::string doubtful_unit(double ball_radius);
 
 }  // namespace impinge

@@ -21,14 +21,14 @@ constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
 // The values of one measurement, in the order of the names; NaN where the mesh does not have it.
 struct Values {
   std::vector<double> all;
-  std::string refused;  // of all of them
+  std::string refused;  // why all of them are refused
   bool at_end = false;  // is the rim the end of the mesh?
 };
 
 struct Named {
   std::string name;
   std::string unit;
-  std::string missing;  // why it may not be there
+  std::string missing;  // why it may be missing
 };
 
 std::vector<Named> femur_names() {
@@ -88,7 +88,7 @@ Values socket_values(const TriangleMesh& socket, const SphereFit& head, Side sid
   }
 }
 
-// A choice, and one to either side of the usual one.
+// A choice, with a value to either side of the usual one.
 struct Varied {
   double MeasureChoices::*choice;
   double low;
@@ -96,7 +96,7 @@ struct Varied {
 };
 constexpr double kLeastShare = 0.005;
 
-// A head is off its sphere before it ends: by how much, moves where it counts as having left it.
+// Where the head ends is varied by how far the head itself is off its sphere.
 std::array<Varied, 5> of_femur(const SphereFit& head) {
   const double off = std::max(kLeastShare, 2.0 * head.rms / head.radius);
   return {Varied{&MeasureChoices::trim, 0.04, 0.08}, Varied{&MeasureChoices::neck_section, 1.3, 1.4},
@@ -117,18 +117,18 @@ Measure judged(const Named& named, double value, const std::vector<double>& othe
   for (const double other : others) {
     if (std::isnan(other))
       return {named.name, std::nullopt, std::nullopt, named.unit,
-              "refused: it is lost when it is measured a little otherwise"};
+              "refused: with slightly different settings it is not found"};
     moved = std::max(moved, std::abs(other - value));
   }
   if (moved > most_of(named.unit)) {
-    return {named.name, std::nullopt, moved, named.unit,
-            "refused: it moves by " + formatted("%.2g ", moved) + named.unit +
-                " when it is measured a little otherwise"};
+    return {
+        named.name, std::nullopt, moved, named.unit,
+        "refused: with slightly different settings it changes by " + formatted("%.2g ", moved) + named.unit};
   }
   return {named.name, value, moved, named.unit, "measured"};
 }
 
-// One surface, measured in the usual way and in all others.
+// Measures one surface with the usual choices and with each choice varied.
 template <class Ask>
 void add_measures(const std::vector<Named>& names, std::span<const Varied> choices, const Ask& ask,
                   std::vector<Measure>& measures) {

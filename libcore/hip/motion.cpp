@@ -91,7 +91,7 @@ Eigen::Matrix3d joint_rotation(const Motion& motion, std::optional<Side> side) {
       .toRotationMatrix();
 }
 
-// Elevation is a turn as abduction is, and those about Y are as internal rotation.
+// Elevation turns as abduction does; the two turns about Y are as internal rotation.
 Eigen::Matrix3d shoulder_rotation(const ShoulderAngles& angles, Side side) {
   return (rotated(angles.plane_of_elevation, side) * abducted(angles.elevation, side) *
           rotated(angles.axial_rotation, side))

@@ -42,18 +42,18 @@ struct MotionName {
 /// flexion, extension, abduction, adduction, internal_rotation, external_rotation.
 std::span<const MotionName> motion_names();
 
-/// The motion of that name. std::invalid_argument, one line with all names, for any other.
+/// The motion of that name. Throws std::invalid_argument, one line with all names, for any other.
 const MotionName& motion_name(std::string_view name);
 
 /// Reads "flexion=90,internal_rotation=10": names of motion_names(), degrees from -180 to 180, each of the
-/// three axes at most once. std::invalid_argument, one line, for anything else.
+/// three axes at most once. Throws std::invalid_argument, one line, for anything else.
 Motion parse_motion(std::string_view text);
 
 /// Rotation of the ball in the joint frame. The axes follow the joint coordinate system for the hip (Grood
 /// and Suntay 1983, Wu et al. 2002): flexion about the transverse axis of the pelvis, rotation about the long
 /// axis of the femur, abduction about the axis between, so R = R_flexion R_abduction R_rotation. Abduction
-/// and rotation turn opposite ways on the two sides; without a side they must be 0, else
-/// std::invalid_argument.
+/// and rotation turn opposite ways on the two sides; without a side both must be 0. Throws
+/// std::invalid_argument if they are not.
 Eigen::Matrix3d joint_rotation(const Motion& motion, std::optional<Side> side);
 
 /// Angles of a humerus, degrees, after Wu et al. 2005 (ISB recommendation for the shoulder,
@@ -64,8 +64,8 @@ struct ShoulderAngles {
   double axial_rotation = 0.0;      // internal rotation is positive
 };
 
-/// Rotation of the ball in the joint frame, R = R_Y(plane) R_X(-elevation) R_Y(axial) in the axes of Wu et
-/// al. (X anterior, Y superior, Z right), which are y, z and x of ours; mirrored on the left side.
+/// Rotation of the ball in the joint frame, R = R_Y(plane) R_X(-elevation) R_Y(axial). X, Y and Z are the
+/// axes of Wu et al. (anterior, superior, right), our y, z and x. Mirrored on the left side.
 Eigen::Matrix3d shoulder_rotation(const ShoulderAngles& angles, Side side);
 
 /// Rotation of the ball while one angle grows and the others stay: R(a) = outer R(axis, a) inner, a in
@@ -77,14 +77,14 @@ struct JointTurn {
   /// Rotation by the growing angle's start value and the angles that are applied before it.
   Eigen::Matrix3d inner = Eigen::Matrix3d::Identity();
 };
-/// The turn that begins at `start`. std::invalid_argument as for joint_rotation().
+/// The turn that begins at `start`. Throws std::invalid_argument as joint_rotation() does.
 JointTurn joint_turn(const Motion& start, const MotionName& growing, std::optional<Side> side);
 
 /// Largest size of each angle of a motion, degrees from the pose of the scan.
 inline constexpr double kLargestAngle = 180.0;
 
-/// How far an angle may grow from `start` until its size is kLargestAngle, degrees. std::invalid_argument if
-/// nothing is left.
+/// How far an angle may grow from `start` until its size is kLargestAngle, degrees. Throws
+/// std::invalid_argument if nothing is left.
 double largest_growth(const Motion& start, const MotionName& growing);
 
 /// Motions from one to another in equal steps, both ends included: as few steps as possible, none of which

@@ -19,12 +19,12 @@ struct NamedMotion {
 };
 
 /// flexion ... external_rotation from the pose of the scan; internal_rotation_at_45, _70 and _90 (degrees of
-/// flexion); external_rotation_at_90; fadir: 90 of flexion, 15 of adduction, internal rotation grows; faber:
-/// 45 of flexion, 30 of abduction, external rotation grows (the angles of the last two are our choice: a
-/// clinician takes them as the patient allows).
+/// flexion); external_rotation_at_90; fadir, in which internal rotation grows at 90 of flexion and 15 of
+/// adduction; faber, in which external rotation grows at 45 of flexion and 30 of abduction. These angles of
+/// fadir and faber are our choice: a clinician takes them as the patient allows.
 std::span<const NamedMotion> named_motions();
 
-/// The one of that name; std::invalid_argument, one line, that lists them.
+/// The motion of that name. Throws std::invalid_argument, one line that lists them, for any other.
 const NamedMotion& named_motion(std::string_view name);
 
 }  // namespace impinge

@@ -18,7 +18,7 @@ double radius_of(const Joint& joint) {
       .ball_radius;
 }
 
-// What all of the poses that are too far away have in common.
+// What all poses that are too far away have in common.
 struct Far {
   std::size_t count = 0;
   std::size_t first = 0;

@@ -16,9 +16,9 @@ struct RimPoint {
   Vec3 place = Vec3::Zero();  // frame of the socket, mm
 };
 
-/// Cuts the dial into `sectors` of equal size and takes from each the vertex that, seen from the centre, is
-/// at the largest angle from the pole of the socket; vertices without faces do not count. Clockwise from 12
-/// o'clock; a sector without vertices has no point. socket and dial in the joint frame, the centre as origin.
+/// Cuts the dial into `sectors` of equal size. Takes from each the vertex at the largest angle from the pole
+/// of the socket, as seen from the centre; vertices without faces do not count. Clockwise from 12 o'clock; a
+/// sector without vertices has no point. Socket and dial are in the joint frame, with the centre as origin.
 std::vector<RimPoint> rim_line(const TriangleMesh& socket, const ClockFace& dial, std::size_t sectors);
 
 }  // namespace impinge

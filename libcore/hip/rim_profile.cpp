@@ -13,11 +13,11 @@ namespace impinge {
 namespace {
 
 constexpr std::size_t kMeridians = 180;
-constexpr double kFirst = 30.0 * kDegree;  // from the pole: within is the fossa
-constexpr double kFloor = 75.0 * kDegree;  // before that a meridian has met the sphere
-constexpr double kLast = 130.0 * kDegree;  // beyond is no rim
+constexpr double kFirst = 30.0 * kDegree;  // from the pole: the fossa lies within
+constexpr double kFloor = 75.0 * kDegree;  // a meridian meets the sphere before this, or not at all
+constexpr double kLast = 130.0 * kDegree;  // there is no rim beyond
 constexpr double kStep = 0.5 * kDegree;
-constexpr double kDent = 3.0 * kDegree;  // of the rim, that is bridged
+constexpr double kDent = 3.0 * kDegree;  // dents of the rim up to this size are bridged
 
 // A socket about its centre, as rays from there meet it.
 struct Sphere {
@@ -30,7 +30,7 @@ struct Sphere {
   }
 };
 
-// Into the socket: the mean of what is covered.
+// Points into the socket: the mean of the directions that it covers.
 Vec3 pole_of(const Sphere& sphere) {
   const auto directions = Fibonacci::with_precision(4.0);
   Vec3 sum = Vec3::Zero();
@@ -42,8 +42,8 @@ Vec3 pole_of(const Sphere& sphere) {
   return sum.normalized();
 }
 
-// Where the surface leaves the sphere along a meridian, radians from the pole; none where it never meets it,
-// or does not leave it.
+// Where the surface leaves the sphere along a meridian, radians from the pole. None if it never meets the
+// sphere, or never leaves it.
 std::optional<double> rim_on(const Sphere& sphere, const Vec3& pole, const Vec3& outward) {
   const auto at = [&](double polar) { return Vec3(std::cos(polar) * pole + std::sin(polar) * outward); };
   std::optional<double> last;

@@ -21,8 +21,7 @@ struct Weighted {
   double at(std::size_t i) const { return weight.empty() ? 1.0 : weight[i]; }
 };
 
-// The algebraic fit: |x|^2 - 2 c.x - k = 0 in the least squares sense, about the mean for the sake of
-// rounding.
+// The algebraic fit: solves |x|^2 - 2 c.x - k = 0 by least squares, relative to the mean to limit rounding.
 SphereFit algebraic_fit(const Weighted& data) {
   double total = 0.0;
   Vec3 mean = Vec3::Zero();
@@ -52,7 +51,7 @@ SphereFit algebraic_fit(const Weighted& data) {
   return fit;
 }
 
-// One Gauss-Newton step; returns its length relative to the radius and leaves the rms of the state before it.
+// One Gauss-Newton step. Returns its length relative to the radius.
 double improve(const Weighted& data, SphereFit& fit) {
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
   Eigen::Vector4d right = Eigen::Vector4d::Zero();

@@ -14,17 +14,17 @@ namespace impinge {
 namespace {
 
 constexpr double kFar = 4.5;          // head radii from the centre
-constexpr double kCutEnds = 2.0;      // the same: a head or a socket that was cut out ends before
+constexpr double kCutEnds = 2.0;      // head radii: a head or a socket that was cut out ends before
 constexpr double kHiddenBone = 0.02;  // of all directions
 
-// Six times the volume; of an open mesh that of its cone to the centre.
+// Six times the volume; for an open mesh, of the cone from it to the centre.
 double volume_of(const TriangleMesh& mesh) {
   double volume = 0.0;
   for (const Face& face : mesh.faces) volume += area_vector(mesh, face).dot(corner(mesh, face, 0));
   return volume;
 }
 
-// Unmarks all but the largest part by area; faces with a vertex at one place are connected.
+// Unmarks all but the largest part by area; faces that share the place of a vertex are connected.
 void keep_largest(const TriangleMesh& mesh, std::vector<bool>& marked) {
   const std::vector<VertexIndex> place = first_at_place(mesh.vertices);
   DisjointSets parts(place.size());
@@ -40,7 +40,7 @@ void keep_largest(const TriangleMesh& mesh, std::vector<bool>& marked) {
   for (std::size_t f = 0; f < marked.size(); ++f) marked[f] = marked[f] && part_of(f) == largest;
 }
 
-// The faces with that mark, and their vertices; with the unmarked ones also those of no face.
+// The faces with that mark, and their vertices. The unmarked ones also get the vertices of no face.
 TriangleMesh marked_faces(const TriangleMesh& mesh, const std::vector<bool>& marks, bool mark) {
   constexpr auto kNone = static_cast<VertexIndex>(-1);
   std::vector<bool> used(mesh.vertices.size(), !mark);

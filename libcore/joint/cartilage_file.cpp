@@ -21,7 +21,7 @@ constexpr const char* kMapAdvice =
 
 using Row = std::array<double, 4>;
 
-// None unless the line is four finite numbers.
+// The four finite numbers of a line; none if it has others.
 std::optional<Row> parse_row(std::string_view line) {
   Row row{};
   for (std::size_t k = 0; k < row.size(); ++k) {

@@ -13,7 +13,7 @@ Verdict verdict_by_bound(double gap, double bound) {
   return verdict_of(gap - bound, gap + bound, Cover::whole);
 }
 
-// Each vertex of the surface, in the pose, against the faces of the other one.
+// Tests each vertex of the surface, in the pose, against the faces of the other one.
 VertexVerdicts decide(const SurfaceOverlay& joint, const Pose& pose, Surface of,
                       const GapEvidence& evidence) {
   const bool ball = of == Surface::ball;

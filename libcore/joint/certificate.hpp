@@ -21,7 +21,7 @@ struct GapEvidence {
   std::span<const double> bound;  // mm, by vertex
 };
 
-/// Counts what gaps and bounds (mm, by vertex) prove of the vertices that have a gap.
+/// Counts the verdicts that gaps and bounds (mm, by vertex) prove, over the vertices that have a gap.
 VerdictCount count_verdicts(std::span<const double> gap, std::span<const double> bound);
 
 /// Verdicts on the vertices of one surface, before and after the exact test.
@@ -35,16 +35,16 @@ struct VertexVerdicts {
       Field{"impinged", "1", "vertices with a gap of 0 or less, exactly", &VertexVerdicts::impinged},
       Field{"clear_by_bound", "1", "vertices that gap and bound prove clear",
             via(&VertexVerdicts::by_bound, &VerdictCount::clear)},
-      Field{"impinged_by_bound", "1", "and impinged",
+      Field{"impinged_by_bound", "1", "vertices that they prove impinged",
             via(&VertexVerdicts::by_bound, &VerdictCount::impinged)},
-      Field{"undecided_by_bound", "1", "and neither",
+      Field{"undecided_by_bound", "1", "vertices that they leave undecided",
             via(&VertexVerdicts::by_bound, &VerdictCount::undecided)},
-      Field{"without_gap", "1", "vertices without one", &VertexVerdicts::without_gap},
+      Field{"without_gap", "1", "vertices without a gap", &VertexVerdicts::without_gap},
       Field{"bounds_refuted", "1", "verdicts by bound that the exact test contradicts",
             &VertexVerdicts::refuted}};
 };
 
-/// Of the main surfaces, along rays from the centre: no contact by itself.
+/// Verdicts on the main surfaces, along rays from the centre. They alone do not decide contact.
 struct Certificate {
   VertexVerdicts ball;                    // of the first scan
   VertexVerdicts socket;                  // of the second scan
@@ -64,9 +64,9 @@ struct Certificate {
       Field{"socket", "", "of its vertices", &Certificate::socket}};
 };
 
-/// By bound a vertex is clear if gap - bound > 0, impinged if gap + bound <= 0, else undecided; each vertex
-/// is also tested exactly, with or without a gap. Vertices that are not on a surface
-/// (mesh/surface_vertices.hpp) are passed over. Meshes in their centre frames, mm.
+/// By bound a vertex is clear if gap - bound > 0, impinged if gap + bound <= 0, else undecided. Each vertex
+/// is also tested exactly, with or without a gap. Vertices that are on no face (mesh/surface_vertices.hpp)
+/// are passed over. Meshes in their centre frames, mm.
 Certificate certify(const SurfaceOverlay& joint, const Pose& pose, const GapEvidence& ball,
                     const GapEvidence& socket);
 

@@ -10,7 +10,7 @@
 namespace impinge {
 namespace {
 
-// Letters to change, add or leave out (Levenshtein 1966).
+// The least number of letters to change, add or leave out (Levenshtein 1966).
 std::size_t edits(std::string_view from, std::string_view to) {
   std::vector<std::size_t> row(to.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSON of what fields.hpp describes, and the JSON Schema (draft 2020-12) of that. A key is a field's name, in
-// the order of the fields; NaN and infinities are null, points are [x, y, z].
+// Writes and reads as JSON what files/fields.hpp describes, and makes its JSON Schema (draft 2020-12). Keys
+// are the names of the fields, in their order; NaN and infinities become null, points [x, y, z].
 #pragma once
 
 #include <cmath>
@@ -66,9 +66,9 @@ std::string text_of(const Json& document);
 template <class T>
 Json schema_of();
 
-/// The same where null may stand as well.
+/// The schema of a value that may also be null.
 Json or_null(Json schema);
-/// An object with these properties, all there and no others.
+/// An object with exactly these properties.
 Json object_schema(Json properties);
 
 template <class T>
@@ -98,8 +98,8 @@ Json schema_of() {
   }
 }
 
-/// Sets a value of a request from JSON; `name` is for messages, and null stands for no value.
-/// std::invalid_argument, one line, where it is of another kind or out of its range.
+/// Sets a value of a request from JSON; null stands for no value. Throws std::invalid_argument, one line that
+/// begins with `name`, for a value of another kind or out of range.
 void read_json(const Json& given, std::string_view name, const Range& range, double& value);
 void read_json(const Json& given, std::string_view name, const Range& range, bool& value);
 void read_json(const Json& given, std::string_view name, const Range& range, std::string& value);
@@ -118,20 +118,20 @@ void read_json(const Json& given, std::string_view name, const Range& range, std
     read_json(given, name, range, value.emplace());
 }
 
-/// The word that differs by two letters at most, if one does; else empty.
+/// The word that differs by two letters at most; empty if none does.
 std::string_view near_word(std::string_view word, std::span<const std::string_view> words);
 
-/// One of these, else std::invalid_argument that names the near one.
+/// The index of `word` in `words`. Throws std::invalid_argument, with a similar word if there is one.
 std::size_t place_among(std::string_view word, std::span<const std::string_view> words,
                         std::string_view what);
 
-/// A place or shift: three numbers.
+/// Reads a place or a shift: three numbers.
 void read_json(const Json& given, std::string_view name, const Range& range, Vec3& value);
 
-/// A text as "flexion=90,internal_rotation=10", three numbers (flexion, abduction, internal rotation), or an
-/// object of them; degrees.
+/// Reads a text such as "flexion=90,internal_rotation=10", three numbers (flexion, abduction, internal
+/// rotation) or an object with these keys; degrees.
 void read_json(const Json& given, std::string_view name, const Range& range, Motion& value);
-/// A list of such; three numbers are one motion.
+/// Reads a list of motions; three numbers are one motion.
 void read_json(const Json& given, std::string_view name, const Range& range, std::vector<Motion>& values);
 
 template <InWords E>
@@ -141,7 +141,7 @@ void read_json(const Json& given, std::string_view name, const Range& range, E& 
   value = static_cast<E>(place_among(word, words_of<E>, name));
 }
 
-/// A list, or what would be its only item.
+/// Reads a list, or its only item without brackets.
 template <class T>
 void read_json(const Json& given, std::string_view name, const Range& range, std::vector<T>& values) {
   values.clear();
@@ -149,7 +149,7 @@ void read_json(const Json& given, std::string_view name, const Range& range, std
     read_json(item, name, range, values.emplace_back());
 }
 
-/// Does it, and names the field in what it refuses (std::invalid_argument).
+/// Calls `use` and puts the field's name before the message of a std::invalid_argument.
 template <class Do>
 void in_field(std::string_view name, const Do& use) {
   try {
@@ -159,7 +159,7 @@ void in_field(std::string_view name, const Do& use) {
   }
 }
 
-/// Sets what is given of a request, an object; what is not keeps its value.
+/// Sets the values of a request that a JSON object gives; the others stay as they are.
 template <Described Request>
 void read_request(const Json& given, Request& request) {
   if (!given.is_object())

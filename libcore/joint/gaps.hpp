@@ -28,7 +28,7 @@ enum class Scanned { both, ball, socket };
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<Scanned>{"both", "ball", "socket"};
 
-/// What is worked out besides summaries.
+/// What is worked out besides the summaries.
 enum class Output { gaps, bounds, distances, verdicts };
 template <>
 inline constexpr std::array<std::string_view, 4> words_of<Output>{"gaps", "bounds", "distances", "verdicts"};
@@ -56,16 +56,16 @@ struct GapsRequest {
       Field{"outputs", "", "only these are worked out [all]", &GapsRequest::outputs},
       Field{"cartilage_mm", "mm", "thickness of both layers together", &GapsRequest::cartilage_mm,
             kNotNegative}};
-  /// std::invalid_argument where what is asked does not go together.
+  /// Throws std::invalid_argument for options that exclude each other.
   void check() const;
 
   bool asks(Output output) const;
-  bool asks_bounds() const { return asks(Output::bounds) || asks(Output::verdicts); }  // these rest on them
+  bool asks_bounds() const { return asks(Output::bounds) || asks(Output::verdicts); }  // verdicts need bounds
   bool scans(Surface of) const { return surfaces != (of == Surface::ball ? Scanned::socket : Scanned::ball); }
   /// Are tables used? Only if asked for: for one pose the faces are faster than filling a table.
   bool by_tables() const { return scheme || precision_deg; }
-  std::string scheme_name() const { return scheme.value_or("rsid"); }  // of the tables
-  double precision() const { return precision_deg.value_or(0.5); }     // of these, degrees
+  std::string scheme_name() const { return scheme.value_or("rsid"); }  // scheme of the tables
+  double precision() const { return precision_deg.value_or(0.5); }     // precision of the tables, degrees
 };
 
 template <>
@@ -132,7 +132,7 @@ struct Impingement {
       Field{"socket", "", "of the socket's vertices", &Impingement::socket}};
 };
 
-/// Area by gap.
+/// Area of the surface by the size of its gaps.
 struct GapHistograms {
   std::optional<GapHistogram> ball;
   std::optional<GapHistogram> socket;
@@ -175,7 +175,7 @@ struct PoseVerdicts {
   VerdictCount vertices;      // clear, impinged or undecided by their bounds
   std::size_t unbounded = 0;  // undecided vertices without a finite bound
   double largest_mm = 0.0;
-  double median_mm = 0.0;    // the upper one of two
+  double median_mm = 0.0;    // the upper one if there are two
   SmallestBetween smallest;  // interval of the smallest gap
 
   static constexpr std::tuple fields{
@@ -195,7 +195,7 @@ struct PoseVerdicts {
 struct SurfaceAnswer {
   std::vector<double> gap;    // mm, NaN where the other surface is not met; empty if it was not scanned
   std::vector<double> bound;  // mm, proven bound on the gap's error; NaN without a gap, infinite if unproven
-  std::vector<DistanceBracket> distance;  // Euclidean, to any point of the other surface, of every vertex
+  std::vector<DistanceBracket> distance;  // Euclidean, from each vertex to the other surface
 
   std::vector<double> against_cartilage;  // gaps in mm, or as shares of the map's thickness if there is one
   GapSummary all;                         // of `gap`
@@ -204,14 +204,14 @@ struct SurfaceAnswer {
   GapHistogram histogram;                 // of the gaps
 };
 
-/// Gaps, and all that rests on them, are those between the main surfaces: vertices of parts have none.
-/// Distances are to any bone of the other side.
+/// Gaps, and all that rests on them, are between the main surfaces: vertices of parts have none. Distances
+/// are to any bone of the other side.
 struct GapsAnswer {
-  Pose pose;              // of the ball, with its shift; gaps are those of its rotation alone
+  Pose pose;              // pose of the ball, with its shift; gaps are for its rotation alone
   SurfaceAnswer ball;     // vertices of the ball against the socket
   SurfaceAnswer socket;   // vertices of the socket against the ball
   double touching = 0.0;  // value of against_cartilage at which the layers touch
-  bool by_map = false;    // does a map say how thick the cartilage is? Then 1 is where they touch
+  bool by_map = false;    // does a map give the thickness of the cartilage? Then `touching` is 1
   double scan_ms = 0.0;   // both scans
   std::optional<ContactDocument> contact;
   std::optional<SmallestOfPose> smallest_gap;
@@ -263,11 +263,10 @@ struct GapsAnswer {
       Field{"left_out", "", "what the question did not need", &GapsAnswer::left_out}};
 };
 
-/// Finds all gaps in a pose: on the faces (gap/measured_gap.hpp), or by a table in double of each surface,
-/// all of which is worked out only for bounds and verdicts (joint/needed_work.hpp).
-///
-/// std::runtime_error, one line, if the tables do not fit in memory (with the bytes that they would take), or
-/// max_error_mm is below what rounding leaves; std::invalid_argument for what does not go together.
+/// Finds all gaps in a pose, either on the faces (gap/measured_gap.hpp) or by a table in double of each
+/// surface. A table is filled completely only for bounds and verdicts (joint/needed_work.hpp). Throws
+/// std::runtime_error, one line, if the tables do not fit in memory (it names the bytes that they would take)
+/// or max_error_mm is less than rounding allows; std::invalid_argument for options that exclude each other.
 GapsAnswer answer(Session& session, const GapsRequest& request);
 
 }  // namespace impinge

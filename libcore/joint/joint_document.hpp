@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a document says of the joint that a question was asked of.
+// Describes in a document the joint about which a question was asked.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ template <>
 inline constexpr std::tuple fields_of<TakenFaces>{
     Field{"faces", "1", "taken as the surface of the joint; the rest counts as bone", &TakenFaces::faces},
     Field{"of", "1", "faces of the whole bone", &TakenFaces::of},
-    Field{"within_mm", "mm", "from the centre they are taken", &TakenFaces::within_mm}};
+    Field{"within_mm", "mm", "distance from the centre up to which faces are taken", &TakenFaces::within_mm}};
 
 /// Frames from landmarks (hip/landmarks.hpp).
 template <>
@@ -106,7 +106,7 @@ struct JointDocument {
             via(&JointDocument::joint, &SessionJoint::joint, &Joint::warnings)}};
 };
 
-/// What the meshes are called; the parts as their files are.
+/// Names of the meshes; parts are named as their files.
 struct JointNames {
   std::string ball = "ball";
   std::string socket = "socket";
@@ -114,7 +114,7 @@ struct JointNames {
   std::vector<std::string> socket_parts{};
 };
 
-/// It is of the joint, which it needs.
+/// Describes a joint. The result refers to `joint`, which must outlive it.
 inline JointDocument describe(const SessionJoint& joint, const JointNames& names) {
   const auto bone = [](const JointPart& of, const std::string& mesh, const std::vector<std::string>& parts) {
     return BoneDocument{of.validation, of.star_shape, mesh, parts, of.taken};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bytes of the files written for a pose. Positions are those of the pose, in the input frame, mm.
+// The contents of the files written for a pose. Places are those of the pose, in the input frame, mm.
 #pragma once
 
 #include <functional>
@@ -10,14 +10,14 @@
 
 namespace impinge {
 
-std::string gaps_csv(const SessionJoint& joint, const GapsAnswer& found);  // as hip/gap_files.hpp has it
+std::string gaps_csv(const SessionJoint& joint, const GapsAnswer& found);  // see hip/gap_files.hpp
 
-/// CSV surface,vertex,gap_mm,distance_lower_mm,distance_upper_mm; `found` must have distances.
+/// CSV text surface,vertex,gap_mm,distance_lower_mm,distance_upper_mm; `found` must have distances.
 std::string distances_csv(const GapsAnswer& found);
 
-/// One surface as `write` makes a file of it, with the values of its vertices: `gap`, `radial_overlap` (how
-/// deep the other surface is passed along the ray, 0 where it is not; both NaN where it is not met), mm; and
-/// colours of the gaps.
+/// The text that `write` makes of one surface. Values of its vertices are `gap` and `radial_overlap`, mm: how
+/// deep a vertex lies behind the other surface along its ray, 0 where it does not. Both are NaN where the
+/// other surface is not met. Colours show the gaps.
 std::string surface_file(const SessionJoint& joint, const GapsAnswer& found, Surface surface,
                          const std::function<std::string(const TriangleMesh&, const MeshNotes&)>& write);
 

@@ -27,7 +27,7 @@ constexpr const char* kCentre = "center_of_rotation_mm";
 constexpr std::array<std::string_view, 9> kKeys{
     kCentre, "centre", "side", "axes", "radius_mm", "cartilage_mm", "landmarks", "ball_part", "socket_part"};
 
-// The first of these meshes that is there.
+// The first mesh file of these names that is there.
 std::optional<fs::path> find_mesh(const fs::path& folder, std::initializer_list<const char*> names) {
   for (const char* name : names) {
     for (const std::string_view format : words_of<MeshFormat>) {
@@ -44,8 +44,7 @@ std::string listed(std::initializer_list<const char*> names) {
   return text;
 }
 
-// The axis code, or that of a text such as "+x = patient left, +y = posterior, +z = superior"; none without
-// one.
+// An axis code, given as such or by a text such as "+x = patient left, +y = posterior, +z = superior".
 std::optional<std::string> axes_of(const std::string& text) {
   static const std::regex way("= (?:patient )?(right|left|anterior|posterior|superior|inferior)");
   std::string code;
@@ -57,7 +56,7 @@ std::optional<std::string> axes_of(const std::string& text) {
   return code;
 }
 
-// Relative to the folder of the file that names them.
+// The files under a key, relative to the folder of the file that names them.
 std::vector<fs::path> files_of(const Json& given, std::string_view key, const fs::path& folder) {
   std::vector<std::string> names;
   read_json(given, key, {}, names);
@@ -93,7 +92,7 @@ void read_key(const std::string& key, const Json& value, const fs::path& folder,
   }
 }
 
-// std::runtime_error, one line, where it holds none.
+// Throws std::runtime_error, one line, where the folder holds no joint.
 JointFolder joint_in(const fs::path& subject) {
   const auto ball = find_mesh(subject, kBalls);
   const auto socket = find_mesh(subject, kSockets);
@@ -115,7 +114,7 @@ JointFolder joint_in(const fs::path& subject) {
   return found;
 }
 
-// The folders in it, in the order of their names.
+// The folders in a folder, in the order of their names.
 std::vector<fs::path> folders_in(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> folders;

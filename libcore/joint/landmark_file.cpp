@@ -39,7 +39,7 @@ std::string lower(std::string_view text) {
   return label;
 }
 
-// The landmark that a label names; none of another.
+// The landmark that a label names; null for any other label.
 std::optional<Vec3> Landmarks::*member(const std::string& label) {
   if (has(label, "asis") && has(label, "right")) return &Landmarks::asis_right;
   if (has(label, "asis") && has(label, "left")) return &Landmarks::asis_left;
@@ -50,10 +50,10 @@ std::optional<Vec3> Landmarks::*member(const std::string& label) {
   return nullptr;
 }
 
-// What a file has marked.
+// The points that a file has marked.
 struct Marked {
   Landmarks found;
-  std::string others;  // labels that are of no landmark
+  std::string others;  // labels that name no landmark
 };
 
 void add(const std::filesystem::path& file, std::string_view label, const Vec3& place, Marked& marked) {
@@ -84,7 +84,7 @@ Marked of_markups(const std::filesystem::path& file, const std::string& bytes, c
   Marked marked;
   for (const json& markup : text["markups"]) {
     if (!markup.is_object() || !markup.value("controlPoints", json()).is_array()) continue;
-    const json space = markup.value("coordinateSystem", json("LPS"));  // as Slicer takes it
+    const json space = markup.value("coordinateSystem", json("LPS"));  // Slicer's default
     if (space != "LPS" && space != "RAS") refuse(file, "its coordinateSystem is neither LPS nor RAS");
     const Eigen::Matrix3d turn = axes.transpose() * input_to_joint(space.get<std::string>());
     for (const json& point : markup["controlPoints"]) add_point(file, point, turn, marked);
@@ -98,10 +98,10 @@ struct LandmarkColumns {
   std::array<std::size_t, 3> place{};
   std::optional<std::size_t> defined;  // 0 there for a point that is not placed
   std::size_t names = 0;
-  std::string_view axes;  // of the places; empty for those of the meshes
+  std::string_view axes;  // axes of the places; empty if they are the meshes' axes
 };
 
-// None unless there are a label and a place.
+// None unless there are columns for a label and a place.
 std::optional<LandmarkColumns> landmark_columns(std::string_view head, char separator) {
   const std::vector<std::string_view> words = delimited_words(head, separator);
   const auto find = [&](std::string_view name) -> std::optional<std::size_t> {
@@ -120,14 +120,14 @@ std::optional<LandmarkColumns> landmark_columns(std::string_view head, char sepa
   return std::nullopt;
 }
 
-// What .fcsv says of itself in a line "# KEY = VALUE"; empty if it says nothing of that.
+// The value in a line "# KEY = VALUE" of a .fcsv; empty for other lines.
 std::string_view comment_value(std::string_view line, std::string_view key) {
   const std::size_t equals = line.find('=');
   if (equals == line.npos || delimited_words(line.substr(1, equals - 1), '=')[0] != key) return {};
   return delimited_words(line.substr(equals + 1), '=')[0];
 }
 
-// A table, whose columns a header names, or comments as those of .fcsv do.
+// A table whose columns are named by a header, or in a .fcsv by a comment.
 class LandmarkTable {
  public:
   LandmarkTable(const std::filesystem::path& file, std::string_view bytes, const Eigen::Matrix3d& axes)
@@ -165,7 +165,7 @@ class LandmarkTable {
       refuse_line("has a CoordinateSystem that is neither RAS (0) nor LPS (1)");
     fiducial_axes_ = system == "1" || system == "LPS" ? "LPS" : "RAS";
   }
-  // .fcsv has that behind the columns that it names, 2 for a point that is placed.
+  // A .fcsv has this number behind the columns that it names; 2 means placed.
   bool is_placed(const std::vector<std::string_view>& words) const {
     if (columns_->defined && *columns_->defined < words.size()) return words[*columns_->defined] != "0";
     return !fiducials_ || words.size() <= columns_->names || words[columns_->names] == "2";
@@ -192,7 +192,7 @@ class LandmarkTable {
   NumberedLines lines_;
   const Eigen::Matrix3d& axes_;
   bool fiducials_;
-  std::string_view fiducial_axes_ = "RAS";  // as Slicer had it before it said so
+  std::string_view fiducial_axes_ = "RAS";  // Slicer's frame before its files named one
   char separator_ = ',';
   std::optional<LandmarkColumns> columns_;
   Marked marked_;

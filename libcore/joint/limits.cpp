@@ -23,7 +23,7 @@ double largest_of(const LimitRequest& request) {
   return std::min(request.largest_deg, largest_growth(request.start, motion_name(request.growing)));
 }
 
-// Where bones meet: the contact of a limit, or of what is blocked the deepest vertex of the main surfaces.
+// Where bones meet: at the contact of a limit, or where a blocked motion has its deepest vertex.
 struct Meeting {
   Vec3 place;            // mm, about the centre of the turn, socket at rest
   Eigen::Matrix3d ball;  // the ball's rotation there
@@ -46,8 +46,8 @@ std::optional<Meeting> meeting_of(const CentredLimits& centred, const JointTurn&
   return Meeting{of_ball ? Vec3(at(0.0) * x) : x, at(0.0), {}, HUGE_VAL};
 }
 
-// The point of a surface about the centre of the turn: of a gap one of the surfaces is at the place, the
-// other along its ray.
+// A point of a surface, about the centre of the turn. At a gap one surface is at `place` and the other
+// elsewhere along its ray.
 Vec3 point_of(SessionJoint& joint, Surface of, const Vec3& place, double within_mm) {
   if (within_mm == 0.0) return place;
   const Vec3 u = place.stableNormalized();
@@ -56,8 +56,7 @@ Vec3 point_of(SessionJoint& joint, Surface of, const Vec3& place, double within_
   return std::abs(radius - place.norm()) <= within_mm ? Vec3(radius * u) : place;
 }
 
-// The dial and the places are about the joint's centre, the meeting about the centre of the turn.
-// The bodies that touch where a turn begins, if one is a part: the deepest vertex is not of them.
+// The bodies that touch where a turn begins, if one is a part; the deepest vertex is on a main surface.
 std::optional<BodyPairs::Pair> blocked_by_part(const CentredLimits& centred, const JointTurn& turn,
                                                const ToldLimit& told) {
   if (told.limit.state != LimitState::blocked || told.threshold_mm != 0.0) return std::nullopt;
@@ -91,7 +90,7 @@ LimitAnswer answered(Session& session, const LimitRequest& asked, Surface about,
   const auto at = meeting_of(centred, turn, limit.told);
   if (!at) return limit;
   if (joint.dial) limit.hours = joint.dial->hours(at->place + centred.centre);
-  const Vec3 ball_centre = of_socket ? centred.centre : Vec3::Zero();  // of the turn, in the ball
+  const Vec3 ball_centre = of_socket ? centred.centre : Vec3::Zero();  // the ball is about its own centre
   const Vec3 x = point_of(joint, Surface::ball, at->ball.transpose() * at->place, at->within_mm);
   const Vec3 y = point_of(joint, Surface::socket, at->place, at->within_mm);
   const auto [ball, socket] = at->body;
@@ -102,7 +101,7 @@ LimitAnswer answered(Session& session, const LimitRequest& asked, Surface about,
   return limit;
 }
 
-// Of the joint's own meshes about the centre of the ball, and about that of the socket where it has one.
+// Makes the limits about the centre of the ball, and about the socket's centre if it has one.
 void make_limits(Session& session, bool about_socket, bool rim) {
   const SessionJoint& joint = *session.joint;
   const Joint& bones = joint.joint;
@@ -139,7 +138,7 @@ CentredLimits::CentredLimits(const Joint& joint, BallSocketPair about, const Vec
       limits({main_surface(meshes.ball, joint.ball.parts), main_surface(meshes.socket, joint.socket.parts)},
              bone_parts({meshes.ball, joint.ball.parts}, {meshes.socket, joint.socket.parts})) {}
 
-// The surfaces of the rim alone.
+// The surfaces for the rim alone.
 static CutSurfaces rim_of(const Joint& joint, const BallSocketPair& meshes, const Vec3& origin,
                           const Vec3& ball_origin, const JointPlaces& places) {
   CutSurfaces cut;

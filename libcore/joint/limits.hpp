@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a session's joint turns: limits of the meshes themselves, found without steps that could jump over
-// a contact (limits/told_limit.hpp), and the smallest gaps on the way, by the tables. Limits of the rim alone
-// are those of contact, and of gaps, of the faces that hip/joint_places.hpp says: of scans whose head and
-// socket overlap, they tell where the rim would meet neck, trochanter or shaft.
+// How far a session's joint turns. A limit is found on the meshes themselves, without steps that could jump
+// over a contact (limits/told_limit.hpp); the tables give the smallest gaps on the way. Limits of the rim
+// alone use only the faces that hip/joint_places.hpp keeps for it. On scans whose head and socket overlap
+// they tell where the rim would meet neck, trochanter or shaft.
 #pragma once
 
 #include <optional>
@@ -21,11 +21,11 @@ namespace impinge {
 struct LimitRequest {
   Motion start;                     // degrees
   std::string growing;              // of motion_names()
-  std::string_view motion{};        // what answers call it; `growing` where it is empty
+  std::string_view motion{};        // its name in answers; `growing` where it is empty
   double largest_deg = 360.0;       // of the growth; cut to largest_growth() (hip/motion.hpp)
   Vec3 translation = Vec3::Zero();  // shift of the ball, mm, input frame
   double cartilage_mm = 0.0;        // both layers together; 0: contact alone
-  bool rim = false;                 // of the rim alone
+  bool rim = false;                 // use the rim alone?
 };
 
 /// The smallest gap at each step to the largest angle, by the tables.
@@ -35,7 +35,7 @@ struct Sweep {
 };
 Sweep sweep(Session& session, const LimitRequest& request, double step_deg);
 
-/// What is asked of several motions.
+/// A question about the limits of several motions.
 struct LimitsRequest {
   std::vector<std::string> motions;
   std::optional<Motion> pose;
@@ -60,16 +60,16 @@ struct LimitsRequest {
             &LimitsRequest::cartilage_mm, kNotNegative},
       Field{"rim", "",
             "the rim alone: where the socket's bone within 2.5 mm of its rim (a tenth of its radius) meets "
-            "neck, trochanter or shaft; head, floor of the socket and parts may touch, as scanned too",
+            "neck, trochanter or shaft; other contact is ignored, also in the pose of the scan",
             &LimitsRequest::rim}};
-  /// std::invalid_argument for a motion that there is not, and for a pose of one that has its own.
+  /// Throws std::invalid_argument for an unknown motion, and for a pose with a motion that has its own.
   void check() const;
   /// Gaps up to this are asked about, too.
   double threshold_mm() const { return cartilage_mm; }
   static constexpr const char* kThresholdOption = "--cartilage";
 };
 
-/// The upper end, where one is known.
+/// The upper end if it is known.
 inline std::optional<double> end_or_none(const CentreInterval& range) {
   return range.limited ? std::optional(range.high_deg) : std::nullopt;
 }
@@ -80,14 +80,14 @@ struct LimitRow {
   std::string_view centre;        // "ball" or "socket": about whose centre the ball turns
   ToldLimit told{};               // its bracket, and what half a millimetre changes
   std::optional<double> hours{};  // where they touch, on the dial
-  /// What of the ball touches there (hip/joint_places.hpp), or the name of its part (mesh/mesh_parts.hpp).
+  /// Name of the place on the ball that touches (hip/joint_places.hpp) or of its part (mesh/mesh_parts.hpp).
   std::optional<std::string> ball_part{};
   std::optional<std::string> socket_part{};
 
   std::optional<std::string> clock() const { return clock_text(hours); }
-  /// What meets what, as "rim and neck"; none where nothing does.
+  /// What meets, such as "rim and neck"; none if nothing does.
   std::optional<std::string> meets() const;
-  /// The same, and a mark where half a millimetre changes the limit (ToldLimit::hangs_on_less()) or the
+  /// meets(), with a mark where half a millimetre changes the limit (ToldLimit::hangs_on_less()) or the
   /// ball's mesh ends.
   std::string what() const;
 
@@ -105,7 +105,7 @@ struct LimitRow {
             via(&LimitRow::told, &ToldLimit::limit, &TurnLimit::high_deg)},
       Field{"centre_low_deg", "deg", "free up to here for every common centre within 0.5 mm",
             via(&LimitRow::told, &ToldLimit::common, &CentreInterval::low_deg)},
-      Field{"centre_high_deg", "deg", "and not free here for any; null where that is not known",
+      Field{"centre_high_deg", "deg", "not free here for any such centre; null where that is not known",
             via(&LimitRow::told, &ToldLimit::common, &end_or_none)},
       Field{"half_mm_gap_deg", "deg", "where the gap of a vertex first falls to 0.5 mm",
             via(&LimitRow::told, &ToldLimit::half_mm_gap_deg)},
@@ -129,7 +129,7 @@ struct LimitAnswer : LimitRow {
                 &LimitAnswer::centre_of_rotation},
           Field{"play_low_deg", "deg", "free up to here for every play of the ball up to 0.5 mm",
                 via(&LimitAnswer::told, &ToldLimit::play, &CentreInterval::low_deg)},
-          Field{"play_high_deg", "deg", "and not free here for any; null where that is not known",
+          Field{"play_high_deg", "deg", "not free here for any such play; null where that is not known",
                 via(&LimitAnswer::told, &ToldLimit::play, &end_or_none)},
           Field{"hangs_on_less_than_half_mm", "", "does half a millimetre change it by more than 5 degrees?",
                 via(&LimitAnswer::told, &ToldLimit::hangs_on_less)},
@@ -144,9 +144,9 @@ struct LimitAnswer : LimitRow {
                 via(&LimitAnswer::told, &ToldLimit::limit, &TurnLimit::contact, &TurnContact::kind)}});
 };
 
-/// The limits of one growing angle: of contact about the ball's centre; about that of a sphere fitted to the
-/// socket, unless none fits or the ball is shifted; and of a gap of cartilage_mm, unless that is 0, about the
-/// ball's centre.
+/// The limits of one growing angle. Contact is sought about the ball's centre, and about the centre of a
+/// sphere fitted to the socket unless none fits or the ball is shifted. A gap of cartilage_mm, unless that is
+/// 0, is sought about the ball's centre.
 std::vector<LimitAnswer> answer_limits(Session& session, const LimitRequest& request);
 
 struct LimitsAnswer {
@@ -159,16 +159,15 @@ struct LimitsAnswer {
       Field{"centre_within_mm", "mm", "how far off centres and play may be in the ranges",
             &LimitsAnswer::centre_within_mm},
       Field{"rim", "", "of the rim alone? Else of all bone", &LimitsAnswer::rim},
-      Field{
-          "rim_in_head_mm", "mm",
-          "of the rim alone: how deep the rim lies in the head as scanned; it meets the neck late there, or "
-          "not at all. Null: nowhere",
-          &LimitsAnswer::rim_in_head_mm},
+      Field{"rim_in_head_mm", "mm",
+            "of the rim alone: how deep the rim lies in the head as scanned; there it meets the neck late or "
+            "never. Null: nowhere",
+            &LimitsAnswer::rim_in_head_mm},
       Field{"limits", "", "of each motion: contact about both centres, and the gap of the cartilage",
             &LimitsAnswer::limits}};
 };
 
-/// std::invalid_argument where a motion needs a side, or nothing is left to grow.
+/// Throws std::invalid_argument where a motion needs a side, or where nothing is left to grow.
 LimitsAnswer answer(Session& session, const LimitsRequest& request);
 
 }  // namespace impinge

@@ -19,15 +19,15 @@
 namespace impinge {
 namespace {
 
-// How the gaps were found.
+// What an answer says about how its gaps were found.
 constexpr const char* kWholeTables = "whole tables, filled and scanned in double";
 constexpr const char* kPartialTables =
     "tables of what the vertices read, filled from the faces near each entry";
 constexpr const char* kFaces =
     "each vertex is measured on the faces near it: for one pose this saves the tables";
 
-// std::runtime_error, one line with the bytes and the cure, where tables of both surfaces do not fit in
-// memory. Bytes in floating point, since entries by the 10^18 are asked for at times.
+// Throws std::runtime_error, one line with the bytes and the cure, where tables of both surfaces do not fit
+// in memory. Counts bytes in floating point, since someone may ask for 10^18 entries.
 void require_memory(std::size_t entries, double precision_deg, double bytes_an_entry, const char* more) {
   const double bytes = 2.0 * bytes_an_entry * static_cast<double>(entries);
   const auto free = static_cast<double>(available_memory());
@@ -38,7 +38,7 @@ void require_memory(std::size_t entries, double precision_deg, double bytes_an_e
                 entries, precision_deg, more, bytes, bytes / 0x1p30, free / 0x1p30));
 }
 
-// A table that keeps few entries still has a directory of all of them.
+// Even a table that keeps few entries has a directory for all of them.
 AnyScheme partly_kept(const GapsRequest& asked) {
   AnyScheme scheme(asked.scheme_name(), asked.precision());
   require_memory(scheme.size(), scheme.precision_deg(), 4.0 / 4096.0, "more than ");
@@ -75,7 +75,7 @@ GapsAnswer by_whole_tables(Session& session, const GapsRequest& asked) {
   return result;
 }
 
-// The gaps of an answer, with all that follows from them.
+// The answer with the gaps of a scene and all that follows from them.
 GapsAnswer answer_of_scene(const SessionJoint& joint, const GapsRequest& asked, const Pose& pose,
                            SceneAnswer scene) {
   PoseGaps& gaps = scene.gaps.front();
@@ -97,8 +97,8 @@ GapsAnswer by_partial_tables(const SessionJoint& joint, const GapsRequest& asked
   return result;
 }
 
-// The middle of the ends, or the gap as tables have it where a face is nearly edge-on, so that these are far
-// apart.
+// The middle of the ends. Where these are far apart, at a face nearly edge-on, the gap is found as for
+// tables.
 double likely_gap(Surface of, const NearFaces& faces, const Vec3& x, const CertifiedGap& ends) {
   constexpr double kApart = 1e-6;  // mm
   const double middle = 0.5 * (ends.low + ends.high);
@@ -107,10 +107,10 @@ double likely_gap(Surface of, const NearFaces& faces, const Vec3& x, const Certi
   return std::isnan(radius) ? middle : signed_gap(of, radius, x.norm());
 }
 
-// What gaps of ball and socket are off by at most, mm, by vertex; NaN where there is none.
+// Largest error of the gaps of ball and socket, mm, by vertex; NaN where there is no gap.
 using VertexBounds = std::array<std::vector<double>, 2>;
 
-// Measures gaps on the faces, and their bounds. std::runtime_error where a bound is above what was promised.
+// Measures gaps and their bounds on the faces. Throws std::runtime_error for a bound above max_error_mm.
 SceneAnswer answer_of_faces(SessionJoint& joint, const GapsRequest& asked, const Pose& pose,
                             VertexBounds& bounds) {
   const SceneNeeds needs = needs_of(asked, pose);
@@ -149,7 +149,7 @@ GapsAnswer by_faces(SessionJoint& joint, const GapsRequest& asked) {
   return result;
 }
 
-// They are those of the meshes, whatever the table.
+// Distances between the meshes themselves, whatever the table.
 void measure_distances(const SessionJoint& joint, GapsAnswer& result) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
     const Surface of = kSurfaces[k];
@@ -159,7 +159,7 @@ void measure_distances(const SessionJoint& joint, GapsAnswer& result) {
   });
 }
 
-// Of the main surfaces.
+// Gaps between the main surfaces.
 GapsAnswer measure_main(Session& session, const GapsRequest& asked) {
   SessionJoint& joint = *session.joint;
   const bool bounds = asked.asks_bounds();
@@ -175,11 +175,11 @@ GapsAnswer measure_main(Session& session, const GapsRequest& asked) {
   return result;
 }
 
-// Vertices of parts lie behind those of the main surface.
+// Gaps of a joint with parts; the vertices of parts come after those of the main surface.
 GapsAnswer measure_with_parts(Session& session, const GapsRequest& asked) {
   SessionJoint& joint = *session.joint;
   Session alone(without_parts(joint.joint), joint.side, joint.joint.axes);
-  alone.joint->shift_to(joint.shift);  // about the centre that it is seen from
+  alone.joint->shift_to(joint.shift);  // about the same centre
   alone.tables.settings = session.tables.settings;
   GapsAnswer result = measure_main(alone, asked);
   for (const Surface of : kSurfaces) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The measures of a joint, each beside what is published of a population.
+// The measures of a joint, each beside published values of a population.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ inline std::optional<std::string_view> text_or_none(std::string_view text) {
   return text.empty() ? std::nullopt : std::optional(text);
 }
 
-/// A measure (hip/measure_list.hpp), and what is published of it (hip/published_measures.hpp).
+/// A measure (hip/measure_list.hpp) and its published values (hip/published_measures.hpp).
 struct MeasureRow : Measure {
   PublishedMeasure published;
 
@@ -56,11 +56,11 @@ struct MeasureAnswer {
   static constexpr std::tuple fields{Field{"measures", "", "each measure", &MeasureAnswer::measures}};
 };
 
-/// What is measured: the ball with what goes on from it, and the socket's main surface, in the joint frame.
+/// The meshes to measure, in the joint frame: the ball with what continues it, the socket's main surface.
 BallSocketPair measured_meshes(const SessionJoint& joint);
 
-/// The measures in the joint frame. With landmarks this is the frame of the pelvis, the femur in neutral
-/// position. std::invalid_argument without a side.
+/// The measures in the joint frame; with landmarks this is the frame of the pelvis, with the femur in neutral
+/// position. Throws std::invalid_argument without a side.
 MeasureAnswer answer(Session& session, const MeasureRequest& request);
 
 }  // namespace impinge

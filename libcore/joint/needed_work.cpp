@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t scan_of(Surface scanned) { return scanned == Surface::ball ? 0 : 1; }
 
-// Larger gaps do not matter.
+// The largest gap that matters.
 double most_that_matters(Question question, double limit) {
   if (question == Question::all_gaps) return kInfinity;
   return question == Question::touch ? std::min(limit, 0.0) : limit;
@@ -28,7 +28,7 @@ std::size_t look_ups_of(const SceneNeeds& needs, const NeededVertices& vertices,
   return count;
 }
 
-// answer(vertices) of the vertices that can change the answer; where their limit is not kept, of all of them.
+// answer(vertices) for the vertices that can change the answer, or for all of them if none keeps the limit.
 template <class Answer>
 SceneAnswer answer_needed(const BallSocketPair& joint, const SceneNeeds& needs, const FacesMet& faces,
                           const Answer& answer) {
@@ -62,7 +62,7 @@ NeededVertices all_vertices(const BallSocketPair& joint, const SceneNeeds& needs
 NeededVertices needed_vertices(const BallSocketPair& joint, const SceneNeeds& needs, const FacesMet& faces) {
   struct Met {
     VertexIndex vertex;
-    double low;  // mm: its gap is no smaller
+    double low;  // mm; the gap is no smaller
   };
   const bool touch = needs.question == Question::touch;
   NeededVertices needed = all_vertices(joint, needs);

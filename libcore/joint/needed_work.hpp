@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a scene is worked out; the rest is left out, and changes no bit of the answer.
+// Works out only that part of a scene that the answer needs; no bit of the answer changes.
 //
-//   asked                                     answered by              vertices  entries
+//   question                                  answered by              vertices  entries
 //   one pose: do the surfaces touch           exact signs (overlay)    none      none
 //   one pose: gaps, the smallest gap          answer_on_faces()        needed    none
 //   gaps of a table, not their bounds         answer_by_table()        needed    needed
@@ -9,17 +9,7 @@
 //   many poses: touch, smallest gap           caps of faces (contact)  few       none
 //   many poses: all gaps                      exact cells (gap/simd)   all       none
 //
-// An accuracy needs no table: gaps of the
-// faces are off by rounding alone, and for one pose they take less time than to fill one.
-//
-// Which vertices. All entries that a look-up along x reads are within the stencil radius s of x, and the
-// answer is a mean of them. NearFaces with a margin of s (of 0 where the faces answer) gives a range that
-// holds all of their radii, hence the answer, so that before anything is filled
-//   no face within the margin             there is no gap
-//   upper end of the gap, not at a rim    some gap is as small as that: the least of these ends is the limit
-//   lower end of the gap above the limit  the vertex is not the one with the smallest gap
-// For `touch` a limit above 0 is 0. A table has no answer in cells beside a rim that may be farther than the
-// margin: a limit that no gap keeps (limit_kept()) is given up, and all vertices are looked at.
+// Gaps on the faces are exact but for rounding, and for one pose they take less time than to fill a table.
 #pragma once
 
 #include <array>
@@ -37,16 +27,16 @@
 
 namespace impinge {
 
-/// What is asked of the poses.
+/// The question that is asked of the poses.
 enum class Question {
   touch,          // of each pose: has some vertex a gap of 0 or less?
   first_contact,  // the smallest gap of any vertex in any pose
   all_gaps,       // the gap of every vertex in every pose
 };
 
-/// What is to be known, of which vertices, in which poses.
+/// A question, about which vertices, in which poses.
 struct SceneNeeds {
-  Question question = Question::all_gaps;  // what is asked of the poses
+  Question question = Question::all_gaps;  // the question
   bool ball = true;                        // the first scan: vertices of the ball against the socket
   bool socket = true;                      // the second scan
   std::vector<Pose> poses{Pose{}};         // of the ball in the socket, in the order of the answer
@@ -59,39 +49,48 @@ struct SceneNeeds {
 struct LeftOut {
   std::string_view what;     // in one word
   std::string_view meaning;  // in one clause
-  std::string reason;        // the same, with the numbers that it rests on
-  double bytes_saved = 0.0;  // of memory; negative if leaving it out takes more
+  std::string reason;        // meaning, with the numbers that it rests on
+  double bytes_saved = 0.0;  // memory saved; negative if leaving it out takes more
 };
 
-/// Of each scan the vertices to look at, and what their choice rests on.
+/// The vertices to look at in each scan, and what their choice rests on.
 struct NeededVertices {
   std::array<std::vector<std::vector<VertexIndex>>, 2> of;  // ball, socket; a list for each pose, or for all
-  /// mm; some gap is proven to be as small: for `touch` of each pose, else in all of them. Infinite: nothing.
+  /// mm; some gap is proven to be this small or smaller: for `touch` in each pose, else in one of them.
   std::vector<double> limit_mm;
 
-  /// The list of scan 0 or 1 in a pose.
+  /// The list of a scan (0 or 1) in a pose.
   const std::vector<VertexIndex>& in(std::size_t scan, std::size_t pose) const {
     return of[scan][of[scan].size() == 1 ? 0 : pose];
   }
 };
 
-/// The faces that the vertices of ball and socket meet, those of the other surface; null: not scanned.
+/// The faces of the other surface that the vertices of ball and socket meet; null: not scanned.
 using FacesMet = std::array<const NearFaces*, 2>;
 
-/// Those on the surfaces.
+/// All vertices that are on a face.
 NeededVertices all_vertices(const BallSocketPair& joint, const SceneNeeds& needs);
-/// Those that can change the answer. Meshes in their centre frames, mm.
+/// The vertices that can change the answer. Meshes in their centre frames, mm.
+///
+/// A look-up along x averages entries within the stencil radius s of x. NearFaces with a margin of s (0 where
+/// the faces answer) gives a range that holds the radii of all of them, so it holds the answer. Before
+/// anything is filled this tells
+///   no face within the margin             there is no gap
+///   upper end of the gap, not at a rim    some gap is as small as that; the least of these ends is the limit
+///   lower end of the gap above the limit  the vertex does not have the smallest gap
+/// For `touch`, a limit above 0 counts as 0. A table has no answer in cells beside a rim, and these may reach
+/// beyond the margin. If therefore no gap keeps the limit (limit_kept()), all vertices are looked at.
 NeededVertices needed_vertices(const BallSocketPair& joint, const SceneNeeds& needs, const FacesMet& faces);
-/// What their look-ups of a scan read.
+/// The entries that the look-ups of these vertices read.
 EntrySet needed_entries(const BallSocketPair& joint, const SceneNeeds& needs, const NeededVertices& vertices,
                         Surface scanned, const AnyScheme& scheme);
 
-/// The first of the smallest gaps, in the order of scans, poses and vertices.
+/// The smallest gap; of equal ones the first in the order of scans, poses and vertices.
 struct SmallestGap {
   double gap_mm = 0.0;              // of the vertex
   Surface scanned = Surface::ball;  // whose vertex it is
-  std::size_t pose = 0;             // of the needs
-  std::size_t vertex = 0;           // place among the vertices of its mesh
+  std::size_t pose = 0;             // index in the needs
+  std::size_t vertex = 0;           // index in the mesh
   bool operator==(const SmallestGap&) const = default;
 };
 
@@ -104,27 +103,27 @@ struct SceneAnswer {
   std::vector<bool> touches;            // of each pose, for `touch`
   std::optional<SmallestGap> smallest;  // for `first_contact`; none where the surfaces do not meet
   std::vector<PoseGaps> gaps;           // of each pose, for `all_gaps`
-  std::size_t bytes = 0;                // of tables and whatever stood in for them, not of the answer
-  std::size_t entries = 0;              // worked out
-  std::size_t look_ups = 0;             // done
-  std::vector<LeftOut> left_out;        // and why
+  std::size_t bytes = 0;                // memory of tables or what replaced them, without the answer
+  std::size_t entries = 0;              // number worked out
+  std::size_t look_ups = 0;             // number done
+  std::vector<LeftOut> left_out;        // what was left out, and why
 };
 
-/// Gap of a vertex at x in the frame of the other surface, mm, NaN where there is none; for `touch` only
-/// whether it is 0 or less counts.
+/// Gap of a vertex at x in the frame of the other surface, mm, NaN where there is none. For `touch` it only
+/// matters whether it is 0 or less.
 using GapAt = std::function<double(Surface scanned, std::size_t vertex, const Vec3& x)>;
 
-/// The answer from the gaps of these vertices.
+/// The answer from the gaps of the vertices in `vertices`.
 SceneAnswer answer_from(const BallSocketPair& joint, const SceneNeeds& needs, const NeededVertices& vertices,
                         const GapAt& gap);
-/// Has the answer a gap up to the limit wherever one was proven?
+/// Does the answer have a gap up to the limit wherever one was proven to exist?
 bool limit_kept(const SceneNeeds& needs, const NeededVertices& vertices, const SceneAnswer& answer);
 
-/// By gaps that the faces give (gap/measured_gap.hpp, gap/exact_side.hpp).
-/// std::invalid_argument for a scene without poses or scans.
+/// Answers by gaps on the faces (gap/measured_gap.hpp, gap/exact_side.hpp). Throws std::invalid_argument for
+/// a scene without poses or scans.
 SceneAnswer answer_on_faces(const BallSocketPair& joint, const SceneNeeds& needs, const FacesMet& faces,
                             const GapAt& gap);
-/// By a table in double of each surface, of which only what is read is filled (table/partial_table.hpp).
+/// Answers by a table in double of each surface; only what is read is filled (table/partial_table.hpp).
 SceneAnswer answer_by_table(const BallSocketPair& joint, const SceneNeeds& needs, const AnyScheme& scheme);
 
 }  // namespace impinge

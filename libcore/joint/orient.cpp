@@ -22,7 +22,7 @@ bool holds(const OrientationCell& cell, const CupAngles& angles) {
          std::abs(angles.anteversion_deg - cell.middle.anteversion_deg) <= cell.half_deg;
 }
 
-// The socket as it is: as given, else as measure_hip() has it, if that trusts the rim.
+// The present angles of the socket: as given, else from measure_hip() if the rim can be trusted.
 CupAsScanned as_scanned(const SessionJoint& joint, const OrientRequest& request) {
   CupAsScanned now;
   if (request.inclination_deg) {

@@ -23,7 +23,7 @@ struct OrientRequest {
   std::optional<double> inclination_deg{};
   std::optional<double> anteversion_deg{};
 
-  /// std::invalid_argument for what cannot be required, and for one angle without the other.
+  /// Throws std::invalid_argument for motions that cannot be required, and for one angle without the other.
   void check() const {
     check_required(require);
     if (inclination_deg.has_value() != anteversion_deg.has_value())
@@ -51,7 +51,7 @@ struct OrientRequest {
             {-90.0, 90.0}},
       Field{"anteversion_deg",
             "deg",
-            "of the same, radiographic [measured]",
+            "radiographic anteversion of the socket as scanned [measured]",
             &OrientRequest::anteversion_deg,
             {-90.0, 90.0}}};
 };
@@ -70,7 +70,7 @@ struct CupAsScanned {
       Field{"state", "", "of the square of the map that holds it", &CupAsScanned::state}};
 };
 
-/// The nearest orientation that is proven free, and the turn that leads there.
+/// The nearest orientation that is proven free, and the turn to it.
 struct NearestFree {
   NearestOrientation to;
   std::optional<Vec3> axis;  // none where nothing turns
@@ -89,8 +89,7 @@ struct NearestFree {
             "angle of the one rotation about the centre that does both; the least there is",
             via(&NearestFree::to, &NearestOrientation::turn_deg)},
       Field{"turn_axis", "",
-            "unit vector, frame of the meshes: the turn is anticlockwise seen against it; none where nothing "
-            "turns",
+            "unit vector in the frame of the meshes, by the right-hand rule; none where nothing turns",
             &NearestFree::axis},
       Field{"at_least_deg", "deg",
             "no orientation of the map is free after a smaller turn: undecided ones may be",
@@ -119,19 +118,19 @@ struct MapAreas {
   double open = 0.0;
 
   static constexpr std::tuple fields{
-      Field{"free", "deg^2", "every required motion is", &MapAreas::free},
-      Field{"blocked", "deg^2", "one of them is", &MapAreas::blocked},
-      Field{"unknown", "deg^2", "the ball's mesh ends under the socket on the way", &MapAreas::unknown},
+      Field{"free", "deg^2", "where every required motion is free", &MapAreas::free},
+      Field{"blocked", "deg^2", "where one of them is blocked", &MapAreas::blocked},
+      Field{"unknown", "deg^2", "where the ball's mesh ends under the socket on the way", &MapAreas::unknown},
       Field{"open", "deg^2", "undecided at the resolution", &MapAreas::open}};
 };
 
 struct OrientAnswer {
   CupAsScanned as_scanned;
-  std::optional<NearestFree> nearest_free;  // none where no square of the map is
+  std::optional<NearestFree> nearest_free;  // none if no square of the map is proven free
   MapExtent map;
   MapAreas area_deg2;
   std::vector<std::string> legs;
-  std::vector<OrientationCell> cells;  // the squares of the map; a leg of theirs is a place in `legs`
+  std::vector<OrientationCell> cells;  // squares of the map; their legs are indices into `legs`
 
   static constexpr std::tuple fields{
       Field{"as_scanned", "",
@@ -145,8 +144,8 @@ struct OrientAnswer {
       Field{"legs", "", "parts of the required paths, in words", &OrientAnswer::legs}};
 };
 
-/// std::runtime_error, one line, if no angles are given and the socket has no rim to trust them to
-/// (hip/measure_list.hpp); std::invalid_argument without a side, and as check().
+/// Throws std::runtime_error, one line, if no angles are given and the socket's rim cannot be trusted
+/// (hip/measure_list.hpp); std::invalid_argument without a side, and as check() does.
 OrientAnswer answer(Session& session, const OrientRequest& request);
 
 }  // namespace impinge

@@ -50,7 +50,7 @@ SurfaceAnswer surface_answer(const SessionJoint& joint, const GapsAnswer& found,
   return answer;
 }
 
-// Of two gaps of one size that of the ball.
+// The smallest gap; of two equal ones the ball's.
 std::optional<SmallestOfPose> smallest_of(const SessionJoint& joint, const GapsAnswer& found) {
   const GapSummary& ball = found.ball.all;
   const GapSummary& socket = found.socket.all;

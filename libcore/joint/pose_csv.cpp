@@ -12,23 +12,23 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kQuaternion{"qw", "qx", "qy", "qz", "tx", "ty", "tz"};
 
-// Columns of the ball and of the socket, by what stands before the names.
+// Prefixes of the names of columns, for the ball and for the socket.
 constexpr std::array<std::array<std::string_view, 5>, 2> kBones{
     {{"ball_", "femur_", "humerus_"}, {"socket_", "pelvis_", "acetabulum_", "scapula_", "glenoid_"}}};
 
-// Where a column's number goes.
+// Which number a column gives.
 struct Place {
   enum { moved, kept, left_out } use = moved;
   std::string name;      // as given
   std::string plain;     // without the bone
-  std::size_t bone = 0;  // 1 for the socket
+  std::size_t bone = 0;  // 1: socket
 };
 
-// What the columns of a file are.
+// What the columns of a file mean.
 struct Header {
   std::vector<Place> places;
-  bool both = false;        // have both bones columns?
-  bool quaternion = false;  // are these of a quaternion?
+  bool both = false;        // do both bones have columns?
+  bool quaternion = false;  // are they quaternions?
   std::size_t each = 0;     // numbers of a bone's matrix; 0 where the list is of named numbers
   PoseList list;
 };
@@ -49,7 +49,7 @@ Place place_of(std::string_view word) {
   return place;
 }
 
-// The plain names of a bone's columns.
+// The names of a bone's columns, without its prefix.
 std::vector<std::string> names_of(const Header& header, std::size_t bone) {
   std::vector<std::string> names;
   for (const Place& place : header.places)
@@ -66,7 +66,7 @@ bool are_quaternions(const std::vector<std::string>& names) {
 
 bool are_matrices(const std::vector<std::string>& names) { return names.size() == 12 || names.size() == 16; }
 
-// Columns of numbers that make matrices: of one bone, or of both.
+// Takes columns that make matrices, of one bone or of both.
 bool takes_matrices(const PoseLines& lines, Header& header) {
   const std::vector<std::string> ball = names_of(header, 0);
   const std::vector<std::string> socket = names_of(header, 1);
@@ -115,7 +115,7 @@ Header read_header(const PoseLines& lines, const std::vector<std::string_view>& 
   return header;
 }
 
-// Of a matrix of 12 or 16 numbers; none where one is missing.
+// A matrix from its 12 or 16 numbers; none where one is missing.
 std::optional<PoseMatrix> matrix_of(const PoseLines& lines, const std::vector<double>& n) {
   if (std::any_of(n.begin(), n.end(), [](double x) { return std::isnan(x); })) return std::nullopt;
   if (n.size() == 16 && (n[12] != 0.0 || n[13] != 0.0 || n[14] != 0.0 || n[15] != 1.0))
@@ -127,7 +127,7 @@ std::optional<PoseMatrix> matrix_of(const PoseLines& lines, const std::vector<do
   return matrix;
 }
 
-// Of w, x, y, z and, if it has one, a translation.
+// A matrix from w, x, y, z and, if given, a translation.
 std::optional<PoseMatrix> quaternion_of(const PoseLines& lines, const std::vector<double>& n) {
   const std::optional<Eigen::Matrix3d> turn = lines.turn_of_quaternion(n.data());
   if (!turn || std::any_of(n.begin() + 4, n.end(), [](double x) { return std::isnan(x); }))
@@ -138,7 +138,7 @@ std::optional<PoseMatrix> quaternion_of(const PoseLines& lines, const std::vecto
   return matrix;
 }
 
-// The inverse of the socket's times that of the ball.
+// The inverse of the socket's matrix times the ball's.
 PoseMatrix relative(const PoseMatrix& ball, const PoseMatrix& socket) {
   const Eigen::Matrix3d back = socket.leftCols<3>().transpose();
   PoseMatrix matrix;
@@ -146,7 +146,7 @@ PoseMatrix relative(const PoseMatrix& ball, const PoseMatrix& socket) {
   return matrix;
 }
 
-// The numbers of a bone in the order of its kind.
+// The matrix of a bone from a row.
 std::optional<PoseMatrix> bone_of(const PoseLines& lines, const Header& header,
                                   const std::vector<double>& row, std::size_t bone) {
   std::vector<double> numbers(header.each);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What readers of poses share; not for others.
+// What the readers of pose files share; not for other code.
 #pragma once
 
 #include <filesystem>
@@ -16,20 +16,20 @@ namespace impinge {
 /// A matrix 3 x 4: x' = R x + t.
 using PoseMatrix = Eigen::Matrix<double, 3, 4>;
 
-/// Lines of a file of poses that say where they are refused.
+/// The lines of a file of poses; refusals name the line.
 class PoseLines : public NumberedLines {
  public:
   PoseLines(const std::filesystem::path& file, std::string_view bytes) : NumberedLines(bytes), file_(file) {}
 
-  /// FileError with the number of this line.
+  /// Throws FileError with the number of this line.
   [[noreturn]] void refuse(const std::string& reason) const;
-  /// The same without a line.
+  /// Throws FileError without a line number.
   [[noreturn]] void refuse_file(const std::string& reason) const;
   /// A finite number, NaN for a missing one; refuses any other word.
   double number(std::string_view word, char separator) const;
-  /// Refuses unless each name has its word.
+  /// Refuses a line whose number of words is not the number of names.
   void require_words(std::size_t words, std::size_t names) const;
-  /// The rotation that a quaternion w, x, y, z means; none where a number is missing.
+  /// The rotation of a quaternion w, x, y, z; none where a number is missing.
   std::optional<Eigen::Matrix3d> turn_of_quaternion(const double* wxyz) const;
   /// Refuses a list in which no row is tracked.
   void require_pose(const PoseList& list) const;
@@ -38,13 +38,13 @@ class PoseLines : public NumberedLines {
   const std::filesystem::path& file_;
 };
 
-/// Is it as programs write what was not tracked: empty or NaN?
+/// Is the word empty or NaN, as programs write what was not tracked?
 bool is_missing(std::string_view word);
 
-/// Adds the columns of a matrix, without names.
+/// Adds the twelve columns of a matrix, without names.
 void add_matrix_columns(PoseList& list);
 
-/// Adds the numbers of a matrix to the values of a row, NaN where there is none.
+/// Adds a matrix to the values of a row; NaN where there is none.
 void add_matrix(const std::optional<PoseMatrix>& matrix, PoseList& list);
 
 PoseList read_pose_csv(PoseLines lines);

@@ -14,9 +14,9 @@
 namespace impinge {
 namespace {
 
-constexpr std::size_t kMostPoses = 10'000'000;  // of a grid
+constexpr std::size_t kMostPoses = 10'000'000;  // in a grid
 
-// What a column may be called, of which kind it is then, and which number of the pose it gives.
+// A name that a column may have, its kind, and the number of the pose that it gives.
 struct NumberName {
   PoseKind kind;
   std::string_view name;
@@ -47,7 +47,7 @@ constexpr std::array<NumberName, 21> kNames{{{PoseKind::hip, "flexion", 0},
 
 std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
-// None if no column of the kind (of any, if there is none) is called so.
+// The entry of a name, of the given kind or of any; null if there is none.
 const NumberName* find_name(std::string_view name, std::optional<PoseKind> kind) {
   const std::string plain = plain_name(name);
   const auto at = std::find_if(kNames.begin(), kNames.end(), [&](const NumberName& known) {
@@ -95,7 +95,7 @@ struct Axis {
   double last = 0.0;
   std::size_t count = 1;
 
-  // Without the noise of division, which would show in files.
+  // Rounded, so that the noise of the division does not show in files.
   double at(std::size_t step) const {
     if (step == 0) return first;
     const double part = static_cast<double>(step) / static_cast<double>(count - 1);
@@ -218,7 +218,7 @@ PoseList parse_pose_grid(std::string_view text) {
   PoseList list = named_poses(names);
   list.values.reserve(poses * axes.size());
   for (std::size_t pose = 0; pose < poses; ++pose) {
-    std::size_t slower = poses;  // poses of the columns from this one on
+    std::size_t slower = poses;  // number of poses of the columns from this one on
     for (const Axis& axis : axes) {
       const std::size_t faster = slower / axis.count;
       list.values.push_back(axis.at(pose % slower / faster));

@@ -13,8 +13,8 @@
 
 namespace impinge {
 
-/// What the numbers of a row mean. The first three have angles in degrees, 0 where there is none, and a shift
-/// of the ball in mm; the others have a matrix (3 x 4), row by row, x' = R x + t, mm.
+/// What the numbers of a row mean. The first three kinds have angles in degrees and a shift of the ball in
+/// mm, 0 where the row has none. The others have a matrix (3 x 4), row by row, x' = R x + t, mm.
 enum class PoseKind {
   hip,  // flexion, abduction, internal_rotation: joint_rotation(), the order of Wu et al. 2002 for the hip
         // (about their Z, X and Y); tx, ty, tz along the axes of the meshes
@@ -29,45 +29,45 @@ enum class PoseKind {
 
 /// A column of a list.
 struct PoseColumn {
-  std::string name;  // as it was given; without one it is not repeated beside answers
+  std::string name;  // as it was given; a column without a name is not repeated in answers
   int number =
       -1;  // the pose's number that it gives, from 0, in the order above; below 0 for frames and times
-  double sign = 1.0;  // of that number
+  double sign = 1.0;  // sign of that number
 };
 
 /// One pose a row.
 struct PoseList {
   PoseKind kind = PoseKind::hip;
-  std::vector<PoseColumn> columns;  // those of a matrix are the last twelve
+  std::vector<PoseColumn> columns;  // the last twelve are a matrix where there is one
   std::vector<double> values;       // of all rows, one row after the other; NaN where the file has none
 
   std::size_t width() const { return columns.size(); }
   std::size_t size() const { return columns.empty() ? 0 : values.size() / width(); }
-  /// Has the row all numbers of its pose? A camera that lost its markers leaves rows without.
+  /// Does the row have all numbers of its pose? A camera that lost its markers leaves rows without.
   bool tracked(std::size_t row) const;
-  /// Does it have angles that need the side of the body?
+  /// Do its angles need the side of the body?
   bool needs_side() const;
-  /// Does it begin at the pose of the scan, whatever landmarks say?
+  /// Are its angles counted from the pose of the scan, even if there are landmarks?
   bool from_scan() const;
-  /// May the ball leave its place, by a shift or by a matrix of the frame of the meshes?
+  /// Can the ball leave its place, by a shift or by a matrix in the frame of the meshes?
   bool shifts() const;
-  /// The pose of a row, about the point and in the axes that `kind` says, mm. The side must be there where it
+  /// The pose of a row, about the point and in the axes that `kind` says, mm. `side` must be given where it
   /// is needed.
   Pose pose(std::size_t row, std::optional<Side> side) const;
 };
 
-/// The columns of these names, in any case, and their kind: one of the first three, or none, and columns as
-/// of `hip`, if there is no name. std::invalid_argument, one line, for other names, names of two kinds, and a
-/// number that is given twice.
+/// The columns with these names (in any case) and their kind: one of the first three. Without names there are
+/// no columns and the kind is `hip`. Throws std::invalid_argument, one line, for other names, names of two
+/// kinds, and a number that is given twice.
 PoseList named_poses(const std::vector<std::string>& names);
 
-/// "internal_rotation" of "Internal Rotation".
+/// Turns "Internal Rotation" into "internal_rotation".
 std::string plain_name(std::string_view name);
 
-/// Every combination of what stands in "flexion=0..120/1,internal_rotation=0..40/10,abduction=5,tx=-2..2/1":
-/// FIRST..LAST/STEP, or one number; names of one kind (named_poses()). The last one named varies fastest.
-/// std::invalid_argument, one line, for anything else, an angle beyond 180 degrees, a last number that the
-/// steps do not meet, or more than ten million poses.
+/// All combinations of a grid such as "flexion=0..120/1,internal_rotation=0..40/10,abduction=5,tx=-2..2/1":
+/// each name has FIRST..LAST/STEP or one number; all names are of one kind (named_poses()). The last name
+/// varies fastest. Throws std::invalid_argument, one line, for anything else, an angle beyond 180 degrees, a
+/// last number that the steps do not meet, or more than ten million poses.
 PoseList parse_pose_grid(std::string_view text);
 
 }  // namespace impinge

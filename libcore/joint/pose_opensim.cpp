@@ -8,9 +8,9 @@
 namespace impinge {
 namespace {
 
-// What stands before endheader.
+// What the file says before endheader.
 struct OpenSimHead {
-  std::optional<double> degrees;  // for one unit of its angles
+  std::optional<double> degrees;  // degrees in one unit of its angles
   bool quaternions = false;
 };
 
@@ -28,7 +28,7 @@ OpenSimHead read_head(PoseLines& lines) {
   return head;
 }
 
-// Parted by any number of blanks and tabs.
+// Words between blanks and tabs, any number of them.
 std::vector<std::string_view> blank_words(std::string_view line) {
   std::vector<std::string_view> words;
   for (std::size_t from = 0; (from = line.find_first_not_of(" \t", from)) != line.npos;) {
@@ -39,7 +39,7 @@ std::vector<std::string_view> blank_words(std::string_view line) {
   return words;
 }
 
-// "hip_flexion_r" of "/jointset/hip_r/hip_flexion_r/value".
+// "hip_flexion_r" from "/jointset/hip_r/hip_flexion_r/value".
 std::string_view coordinate(std::string_view label) {
   if (!label.ends_with("/value")) return label;
   label.remove_suffix(std::string_view("/value").size());
@@ -63,7 +63,7 @@ class Labels {
     if (!found) lines_.refuse("there is no column " + std::string(name));
     return *found;
   }
-  // The words of the next row; none behind the last.
+  // The words of the next row; empty after the last.
   std::vector<std::string_view> next_row() const {
     if (!lines_.next()) return {};
     std::vector<std::string_view> words = blank_words(lines_.line());
@@ -83,7 +83,7 @@ PoseList read_angles(PoseLines& lines, double unit, const std::string& suffix) {
                   {"hip_flexion" + suffix, 0},
                   {"hip_adduction" + suffix, 1, -1.0},
                   {"hip_rotation" + suffix, 2}};
-  std::vector<std::size_t> from;  // the file's column of each of the list's
+  std::vector<std::size_t> from;  // for each column of the list, its column in the file
   for (const PoseColumn& column : list.columns) from.push_back(labels.at(column.name));
   for (std::vector<std::string_view> words; !(words = labels.next_row()).empty();) {
     for (std::size_t k = 0; k < from.size(); ++k) {
@@ -96,7 +96,7 @@ PoseList read_angles(PoseLines& lines, double unit, const std::string& suffix) {
   return list;
 }
 
-// Of a field w,x,y,z.
+// The rotation in a field w,x,y,z.
 std::optional<Eigen::Matrix3d> turn_of_field(const PoseLines& lines, std::string_view field) {
   const std::vector<std::string_view> words = delimited_words(field, ',');
   if (is_missing(field)) return std::nullopt;
@@ -117,7 +117,7 @@ PoseList read_quaternions(PoseLines& lines, const std::string& suffix) {
   add_matrix_columns(list);
   // Our axes, x right, y anterior, z superior, are OpenSim's z, x and y.
   const Eigen::Matrix3d ours{{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
-  std::optional<std::array<Eigen::Matrix3d, 2>> first;  // back to the axes of pelvis and femur
+  std::optional<std::array<Eigen::Matrix3d, 2>> first;  // turns back to the axes of pelvis and femur
   if (!sensors) first = {Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Identity()};
   for (std::vector<std::string_view> words; !(words = labels.next_row()).empty();) {
     list.values.push_back(lines.number(words[time], ','));

@@ -20,7 +20,7 @@
 
 namespace impinge {
 
-/// What is worked out of each pose.
+/// What is worked out for each pose.
 enum class PosesOutput { touch, gap, areas };
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<PosesOutput>{"touch", "gap", "areas"};
@@ -39,12 +39,12 @@ struct PosesRequest {
       Field{"outputs", "", "touch, the smallest gap, impinged areas [touch,gap]", &PosesRequest::outputs},
       Field{"cartilage_mm", "mm", "thickness of both layers together, for areas", &PosesRequest::cartilage_mm,
             kNotNegative}};
-  /// std::invalid_argument where what is asked does not go together.
+  /// Throws std::invalid_argument for options that exclude each other.
   void check() const;
   bool asks(PosesOutput output) const;
 };
 
-/// Impinged areas, by the vertices' gaps in float: further columns where they are asked for.
+/// Impinged areas from the vertices' gaps in float: extra columns if they are asked for.
 struct PoseAreas {
   double bone_ball_mm2 = 0.0;
   double bone_socket_mm2 = 0.0;
@@ -60,13 +60,13 @@ struct PoseAreas {
             &PoseAreas::cartilage_socket_mm2}};
 };
 
-/// A row of poses.csv; the areas and the angles that were given follow.
+/// A row of poses.csv; the areas and the given angles follow it.
 struct PoseRow {
   std::size_t pose = 0;
   bool tracked = true;
-  std::optional<BodyPairs::Verdict> verdict{};  // exact; none if not asked for
+  std::optional<BodyPairs::Verdict> verdict{};  // exact; empty if not asked for
   std::optional<SmallestOfPose> smallest{};
-  std::optional<PoseAreas> areas{};  // none if not asked for
+  std::optional<PoseAreas> areas{};  // empty if not asked for
 
   std::string_view touch() const {
     if (!verdict) return tracked ? "" : "untracked";
@@ -123,34 +123,33 @@ struct PosesAnswer {
       Field{"doubt", "", "what looks wrong with the poses; null if nothing does", &PosesAnswer::doubt}};
 };
 
-/// Counts a row, the next one, in what all rows say together.
+/// Adds the next row to the summary of all rows.
 void add_row(const PoseRow& row, PosesAnswer& all);
 
-/// Reads or makes the poses. FileError or std::invalid_argument, one line.
+/// Reads or makes the poses. Throws FileError or std::invalid_argument, one line.
 PoseList list_of(const PosesRequest& request, const SessionJoint& joint);
 
-/// Of a row of the list, in the centre frame.
+/// The pose of a row of the list, in the centre frame.
 Pose pose_in(const SessionJoint& joint, const PoseList& list, std::size_t row);
 
-/// One line where poses are in another unit or frame; empty where they look right.
+/// A warning in one line if poses look as if they were in another unit or frame; else empty.
 std::string doubt_of(const PosesRequest& request, const SessionJoint& joint, const PoseList& list);
 
-/// The pose in the centre frame for a motion x' = rotation x + translation of the ball in the input frame
-/// (mm), which also has `centre`.
+/// The motion x' = rotation x + translation of the ball in the input frame (mm), as a pose in the centre
+/// frame. `centre` is in the input frame, too.
 Pose pose_about(const Vec3& centre, const Eigen::Matrix3d& rotation, const Vec3& translation);
 
-/// What many poses are asked, with all that is made but once. Of a pose:
-/// touch exactly (limits/body_pairs.hpp), the smallest gap between the main surfaces without looking at most
-/// vertices (contact/culled_joint.hpp), areas of all gaps by the kernels for the faces
-/// (gap/simd/exact_cells.hpp).
+/// Answers many poses; everything that does not depend on the pose is made once. It finds contact exactly
+/// (limits/body_pairs.hpp), the smallest gap between the main surfaces without looking at most vertices
+/// (contact/culled_joint.hpp), and areas of all gaps by the kernels for the faces (gap/simd/exact_cells.hpp).
 class PoseSeries {
  public:
-  /// std::invalid_argument for lengths that CulledScan refuses. `joint` is kept.
+  /// Throws std::invalid_argument for lengths that CulledScan refuses. Keeps a reference to `joint`.
   PoseSeries(const SessionJoint& joint, const PosesRequest& asked);
   PoseSeries(const PoseSeries&) = delete;
   PoseSeries& operator=(const PoseSeries&) = delete;
 
-  /// Without its number. Several threads may ask at the same time.
+  /// The row of a pose, without its number. Several threads may call it at the same time.
   PoseRow answer(const Pose& pose) const;
 
  private:
@@ -169,7 +168,7 @@ class PoseSeries {
   BallSocketPair meshes_;            // the main surfaces
   std::optional<BodyPairs> bodies_;  // if touch is asked for
   CulledJoint culled_;
-  std::vector<Scan> scans_;  // of ball and socket, if areas are
+  std::vector<Scan> scans_;  // of ball and socket, if areas are asked for
 };
 
 }  // namespace impinge

@@ -12,7 +12,7 @@
 namespace impinge {
 namespace {
 
-// A turn of the joint frame in that of the meshes.
+// A turn of the joint frame, expressed in the frame of the meshes.
 JointTurn in_input_frame(const JointTurn& turn, const Eigen::Matrix3d& axes) {
   return {axes.transpose() * turn.outer * axes, axes.transpose() * turn.axis,
           axes.transpose() * turn.inner * axes};
@@ -30,13 +30,13 @@ void require_proven(const ClearanceProof& proof, const std::string& when) {
                 x.x(), x.y(), x.z()));
 }
 
-// The rest of a whole bone is in the file of its main surface.
+// Numbers of files. The rest of a whole bone is in the file of its main surface.
 std::array<std::size_t, 2> files_of(const Joint& joint) {
   const auto files = [](const JointPart& part) { return 1 + part.parts.size() - (part.taken ? 1 : 0); };
   return {files(joint.ball), files(joint.socket)};
 }
 
-// Not shifted, as a session's are.
+// The bodies as they lie in the files; those of a session may be shifted.
 BodyPairs bodies_of(const Joint& joint) {
   const JointPart& ball = joint.ball;
   const JointPart& socket = joint.socket;
@@ -44,7 +44,7 @@ BodyPairs bodies_of(const Joint& joint) {
           bone_parts({ball.mesh, ball.parts}, {socket.mesh, socket.parts})};
 }
 
-// Where a face is in the files: those of a whole bone were put in another order.
+// Index of a face in its file; the faces of a whole bone were put in another order.
 std::uint32_t given_face(const JointPart& part, std::uint32_t face) {
   return part.taken && face < part.taken->of ? part.taken->given[face] : face;
 }

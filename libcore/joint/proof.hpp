@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A proof about a pose or a motion of a session's joint that can be checked without this library
-// (limits/clearance_proof.hpp). It is about the meshes as they lie in their files: there is no proof with
-// landmarks, which turn the ball.
-//
-// It is about bodies: all surfaces of a side, parts and all.
+// Proves something about a pose or a motion of a session's joint that can be checked without this library
+// (limits/clearance_proof.hpp). The proof is about all surfaces of each side, parts included, as they lie in
+// their files. With landmarks, which turn the ball, there is no proof.
 #pragma once
 
 #include <array>
@@ -18,16 +16,15 @@
 
 namespace impinge {
 
-/// The proof of a motion ends this many degrees before its limit: the first of these that leaves room to
-/// prove.
+/// The proof of a motion ends this many degrees before its limit: the first value that leaves room to prove.
 inline constexpr std::array kProofEndsBefore{0.01, 0.1, 1.0};
 
-/// Proves that a pose is clear, or that it is not. std::runtime_error with the reason, one line, if neither
-/// can be proven.
+/// Proves that a pose is clear, or that it is not. Throws std::runtime_error with the reason, one line, if
+/// neither can be proven.
 ClearanceProof answer_proof(const SessionJoint& joint, const Pose& pose);
 
-/// Proves that the motion is clear from its start to kProofEndsBefore before the lower end of its limit,
-/// about the centre of the ball, which is not shifted. std::runtime_error as above.
+/// Proves that the motion is clear from its start to kProofEndsBefore before the lower end of its limit. The
+/// motion is about the centre of the ball, without a shift. Throws std::runtime_error as above.
 ClearanceProof answer_proof(Session& session, const LimitRequest& request);
 
 struct CertifyRequest {
@@ -48,7 +45,7 @@ struct CertifyAnswer {
   std::optional<double> to_deg;
   bool closed = false;
   double rounded_deg = 0.0;
-  std::string text;  // of the certificate
+  std::string text;  // the certificate as text
 
   static constexpr std::tuple fields{
       Field{"says", "",
@@ -61,8 +58,8 @@ struct CertifyAnswer {
             &CertifyAnswer::rounded_deg}};
 };
 
-/// std::runtime_error, one line, where nothing can be proven; std::invalid_argument where landmarks or an
-/// overlap make it a joint that the files do not show.
+/// Throws std::runtime_error, one line, where nothing can be proven; std::invalid_argument where the joint is
+/// not as in its files, because of landmarks or an overlap.
 CertifyAnswer answer(Session& session, const CertifyRequest& request);
 
 }  // namespace impinge

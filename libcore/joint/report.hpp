@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person looks at for one joint: several questions at once, each answered as it is alone.
+// The report on one joint: several questions at once, each answered as it is alone.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace impinge {
 
-/// What may be left out.
+/// Parts that may be left out.
 enum class ReportPart { limits, volume, measures };
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<ReportPart>{"limits", "volume", "measures"};
@@ -40,7 +40,7 @@ struct ReportRequest {
   static constexpr const char* kThresholdOption = "--cartilage";
 };
 
-/// The document of each question.
+/// The answers to the questions.
 struct ReportAnswer {
   GapsAnswer gaps;
   std::optional<LimitsAnswer> limits;
@@ -54,7 +54,7 @@ struct ReportAnswer {
       Field{"measures", "", "as `impinge measure` has it; null if left out", &ReportAnswer::measures}};
 };
 
-/// std::invalid_argument without a side; else what a question of it throws. `how`: of the volume.
+/// Throws std::invalid_argument without a side, and what its questions throw. `how` is for the volume.
 ReportAnswer answer(Session& session, const ReportRequest& request,
                     VolumeSettings how = {.most_cells = kMostVolumeCells});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is required of a joint that is to be changed, by a cut (joint/resect.hpp) or by another orientation of
-// its socket (joint/orient.hpp).
+// Motions that are required of a joint after a change, by a cut (joint/resect.hpp) or by another orientation
+// of its socket (joint/orient.hpp).
 #pragma once
 
 #include <algorithm>
@@ -12,16 +12,16 @@
 
 namespace impinge {
 
-/// On the screen, with every such answer.
+/// Shown on the screen with every such answer.
 inline constexpr std::string_view kNoGuide =
     "Research software, not a medical device: nothing in this may guide the treatment of a patient.";
 
-/// What `require` of a request is (change/required_motion.hpp).
+/// The help for `require` in a request (change/required_motion.hpp).
 inline constexpr std::string_view kRequireText =
-    "motion that is to be reached, as flexion=90,internal_rotation=30: along the path from the pose of the "
-    "scan, one angle after the other, flexion, abduction, rotation; more than one may be given";
+    "motion that has to be free, such as flexion=90,internal_rotation=30: the joint turns from the pose of "
+    "the scan by flexion, then abduction, then rotation; more than one may be given";
 
-/// std::invalid_argument, one line, where there is none, or one that moves nothing.
+/// Throws std::invalid_argument, one line, if there is no motion, or one that moves nothing.
 inline void check_required(std::span<const Motion> require) {
   const auto still = [](const Motion& motion) { return is_rest(motion); };
   if (require.empty() || std::any_of(require.begin(), require.end(), still))

@@ -20,15 +20,15 @@
 namespace impinge {
 namespace {
 
-// Of the least cut, whose faces take longer.
+// For the least cut, whose faces take longer.
 constexpr CutQuestion kLeastQuestion{.closeness = 0.05, .depth_mm = kInfinity, .most_new_faces = 20'000};
-// Of the rim, where the ends of the volume close more slowly than those of the ball.
+// For the rim: the ends of its volume close more slowly than the ball's.
 constexpr CutQuestion kRimQuestion{.closeness = 0.05, .depth_mm = 0.2};
 
 constexpr std::string_view kNoVolume =
     "the socket is no closed mesh of one orientation, so that it is not known how thick its bone is";
 
-// From the joint frame to that of the files, where the ball lies as scanned: landmarks turn it in the joint.
+// From the joint frame to the files, where the ball lies as scanned; landmarks turn it in the joint.
 Vec3 from_joint_frame(const SessionJoint& joint, Surface of, const Vec3& x) {
   const Vec3 at = joint.axes.transpose() * x;
   return (of == Surface::ball ? Vec3(scanned_pose(joint).rotation * at) : at) + joint.joint.centre;
@@ -39,13 +39,13 @@ std::string at_place(const SessionJoint& joint, Surface of, const Vec3& place) {
   return formatted("at (%.1f, %.1f, %.1f)", x.x(), x.y(), x.z());
 }
 
-// "the ball meets the socket", or the parts that these bodies are.
+// "the ball meets the socket", or with the names of the parts.
 std::string meet(const Joint& joint, std::size_t ball, std::size_t socket) {
   return (ball == 0 ? "the ball" : body_name(joint.ball.parts, ball)) + " meets " +
          (socket == 0 ? "the socket" : body_name(joint.socket.parts, socket));
 }
 
-// The pose of the scan must be one that is kept.
+// Refuses a joint that is not free in the pose of the scan.
 void require_free_start(const Joint& joint, const TurnLimits& limits, const RequiredLeg& leg,
                         double clearance) {
   JointTurn still = leg.turn;
@@ -70,13 +70,13 @@ void require_whole_ball(const RequiredLeg& leg, const TurnLimit& after) {
                            ": what is missing may be in the way; require less, or give more of the bone");
 }
 
-// The place of a cut on the bearing surface of the ball.
+// A place where a cut reaches the bearing surface of the ball.
 std::optional<Vec3> head_cut(const Resection& cut, const TriangleMesh& ball, const RadiiOverCap& socket) {
   SphereFit fit;
   try {
     fit = fit_ball(ball);
   } catch (const std::invalid_argument&) {
-    return std::nullopt;  // nothing of it is a sphere
+    return std::nullopt;  // no part of it is a sphere
   }
   for (std::size_t v = 0; v < cut.depth.size(); ++v) {
     const Vec3& x = cut.before.vertices[v];
@@ -95,12 +95,11 @@ class SocketSphere {
   SocketSphere(const SocketSphere&) = delete;
   SocketSphere& operator=(const SocketSphere&) = delete;
 
-  // Flat faces are off the sphere where their corners are on it, so that the trim of the fit may be too
-  // small.
+  // The tolerance is not the fit's own trim: flat faces are off the sphere where their corners are on it.
   bool holds(double radius) const {
     return std::abs(radius / fit_.radius - 1.0) <= BallFitOptions{}.trim;  // NaN: the surface has ended
   }
-  /// Is x on the sphere, and does that go on in all directions, `within` mm away?
+  /// Is x on the sphere, and does the sphere go on all round it, `within` mm away?
   bool goes_on_round(const Vec3& x, double within) const {
     constexpr int kTried = 24;
     const Vec3 at = x - fit_.centre;
@@ -120,7 +119,7 @@ class SocketSphere {
   NearFaces faces_;
 };
 
-// The place of a cut on the bearing surface of the socket.
+// A place where a cut reaches the bearing surface of the socket.
 std::optional<Vec3> socket_cut(const Resection& cut, const TriangleMesh& ball, const TriangleMesh& socket,
                                double most_rim) {
   SphereFit fit;
@@ -156,8 +155,8 @@ void require_no_bearing_cut(const SessionJoint& joint, const ResectRequest& requ
                              " mm inside its rim; require less, or allow more of the rim to go");
 }
 
-// Width of the widest bar about an axis through the centre that the cut faces of a mesh stay out of, on its
-// own side, and where they come as near.
+// The widest bar about an axis through the centre that no cut face enters, on the side of the axis, and where
+// a face comes as near.
 struct Bar {
   double width = 0.0;
   Vec3 place = Vec3::Zero();
@@ -207,7 +206,7 @@ BoneParts beside_in_joint_frame(const SessionJoint& joint) {
   return beside;
 }
 
-// Parts are not cut.
+// Refuses a part that stops the leg, since parts are not cut.
 void require_no_part_in_the_way(const Joint& joint, const RequiredLeg& leg, const TurnLimit& after) {
   if (!after.contact) return;
   const auto [ball, socket] = after.contact->body;
@@ -222,17 +221,17 @@ TurnLimit reached(const SessionJoint& joint, const TurnLimits& cut, Surface of, 
   const double farthest =
       std::min(leg.largest_deg + kBeyondLeg, largest_growth(leg.start, motion_name(leg.growing)));
   TurnLimit after = cut.first_contact(leg.turn, farthest);
-  if (!joint.joint.ball.taken) require_whole_ball(leg, after);  // else the rest of it is a part
+  if (!joint.joint.ball.taken) require_whole_ball(leg, after);  // else the rest of the bone is a part
   if (after.low_deg >= leg.largest_deg) return after;
   require_no_part_in_the_way(joint.joint, leg, after);
   throw std::runtime_error("the cut " + std::string(name(of)) + " is not proven to reach " + describe(leg) +
                            ", but " + rounded_down(after.low_deg, 3) +
-                           (after.high_deg > leg.largest_deg  // no contact is certain before
+                           (after.high_deg > leg.largest_deg  // no contact is certain before it
                                 ? " degrees, where an opening of its mesh leaves it unknown; require less"
                                 : " degrees; give a larger clearance"));
 }
 
-// What is within what: the ends of one hold for the other.
+// One size is within the other, so each sets an end for the other.
 void nest(CutSize& inner, CutSize& outer) {
   for (Ends CutSize::*size : {&CutSize::volume_mm3, &CutSize::area_mm2, &CutSize::depth_mm}) {
     (inner.*size).high = std::min((inner.*size).high, (outer.*size).high);
@@ -265,18 +264,19 @@ void ResectRequest::check() const {
   check_required(require);
   const bool of_ball = cut == Surface::ball;
   if (of_ball && rim_mm)
-    throw std::invalid_argument("rim_mm: is of a cut of the socket; cut the socket, or leave it out");
+    throw std::invalid_argument(
+        "rim_mm: applies only to a cut of the socket; cut the socket, or leave it out");
   if (!of_ball && neck_mm)
-    throw std::invalid_argument("neck_mm: is of a cut of the ball; cut the ball, or leave it out");
+    throw std::invalid_argument("neck_mm: applies only to a cut of the ball; cut the ball, or leave it out");
   if (!of_ball && least)
-    throw std::invalid_argument("least: is of a cut of the ball; cut the ball, or leave it out");
+    throw std::invalid_argument("least: applies only to a cut of the ball; cut the ball, or leave it out");
 }
 
 ResectAnswer answer(Session& session, const ResectRequest& request) {
   request.check();
   shift_ball(session, Vec3::Zero());
   const SessionJoint& joint = *session.joint;
-  if (joint.joint.socket.taken) {  // how thick a wall is, the whole bone says
+  if (joint.joint.socket.taken) {  // the thickness of a wall is known from the whole bone
     Session whole(with_whole_socket(joint.joint), joint.side, joint.joint.axes);
     return answer(whole, request);
   }

@@ -1,25 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bone to cut from a session's ball, or its socket, so that required motions are reached
-// (change/resection.hpp), with checks of the joint, and exact tests of what is left.
-//
-// A cut is refused where
-//   * the pose of the scan touches, or has a gap below the clearance, already;
-//   * the mesh of the ball ends under the socket on the way: the missing bone may be in the way too;
-//   * it reaches the bearing surface of the ball: vertices within SphereFit::trim of the sphere that fits the
-//     head (hip/sphere_fit.hpp) and facing the socket in the pose of the scan;
-//   * it reaches the bearing surface of the socket: vertices within BallFitOptions::trim of the sphere of
-//     measure_acetabulum() (hip/hip_measures.hpp) that are farther inside the rim than may be trimmed. At
-//     that distance the sphere goes on all round them. A socket without a rim that can be measured is not
-//     checked for this;
-//   * it thins the neck too much: the widest round bar about the axis of the neck (hip/hip_measures.hpp) that
-//     the cut leaves whole is narrower than asked for. A ball without a neck is not checked for this, nor a
-//     cut of the socket;
-//   * bone beside the joint stops a required motion after the cut (limits/body_pairs.hpp). Such parts are not
-//     cut, and need no clearance.
-//
-// The least cut of all removes bone along the same rays, from the same radius on, so the checks of bearing
-// surface and neck hold for it as well. It is refused if the socket has no wall or there is bone
-// beside the joint, and there is none of the socket.
+// The bone to cut from a session's ball or socket so that required motions are reached
+// (change/resection.hpp), with checks of the joint and exact tests of what is left.
 #pragma once
 
 #include <array>
@@ -37,13 +18,12 @@
 
 namespace impinge {
 
-/// How far inside its rim a socket may be cut where nothing else is asked for, mm. Our choice: no published
-/// limit is known to us.
+/// Default depth inside its rim to which a socket may be cut, mm. Our choice: we know of no published limit.
 inline constexpr double kMostRim = 5.0;
 
-/// Width of the bar that a cut leaves of the neck where nothing else is asked for, as a share of the neck's:
-/// up to 30 % of the anterolateral quadrant of the neck can be resected before it breaks at a lower load
-/// (Mardones et al. 2005, cadaver femora).
+/// Default width of the bar that a cut leaves of the neck, as a share of the neck's width. Up to 30 % of the
+/// anterolateral quadrant of the neck can be resected before a cadaver femur breaks at a
+/// lower load (Mardones et al. 2005).
 inline constexpr double kNeckShare = 0.7;
 
 struct ResectRequest {
@@ -54,7 +34,7 @@ struct ResectRequest {
   std::optional<double> neck_mm{};  // kNeckShare of the neck's width if not given
   bool least = false;
 
-  /// std::invalid_argument for what cannot be required, or does not go together.
+  /// Throws std::invalid_argument for motions that cannot be required, or options that exclude each other.
   void check() const;
 
   static constexpr std::tuple fields{
@@ -65,15 +45,15 @@ struct ResectRequest {
       Field{"rim_mm", "mm", "how far inside its rim a cut of the socket may come; 5 where it is not given",
             &ResectRequest::rim_mm, kPositive},
       Field{"neck_mm", "mm",
-            "least uncut width about the axis of the neck, of a cut of the ball; 70 % of the neck's width "
-            "where it is not given",
+            "least width of the neck that a cut of the ball leaves; 70 % of the neck's width where it is not "
+            "given",
             &ResectRequest::neck_mm, kPositive},
       Field{"least", "",
             "also the smallest cut of the ball that may leave an undercut; the socket must be a closed mesh",
             &ResectRequest::least}};
 };
 
-/// Proven ends of a number: it is no less than the first and no more than the second.
+/// Proven lower and upper end of a number.
 using TwoEnds = std::array<double, 2>;
 
 inline TwoEnds ends_of(const Ends& ends) { return {ends.low, ends.high}; }
@@ -81,7 +61,7 @@ inline std::optional<TwoEnds> known_ends(const Ends& ends) {
   return ends.high < kInfinity ? std::optional(ends_of(ends)) : std::nullopt;
 }
 
-/// How much has to go.
+/// The size of a cut.
 template <>
 inline constexpr std::tuple fields_of<CutSize>{
     Field{"volume_mm3", "mm^3", "of bone that has to go, at least and at most",
@@ -101,7 +81,7 @@ struct LeastExtent : CutSize {
       std::tuple{Field{"cells", "1", "parts of the ball's surface in swept.csv", &LeastExtent::cells}});
 };
 
-/// Width of the round bar inside the neck, mm.
+/// Widths of the round bar inside the neck, mm.
 struct NeckBar {
   double least = 0.0;
   double before = 0.0;
@@ -113,14 +93,14 @@ struct NeckBar {
       Field{"after_mm", "mm", "in the cut ball", &NeckBar::after}};
 };
 
-/// Of first contact along a leg.
+/// The first contact along a leg.
 template <>
 inline constexpr std::tuple fields_of<TurnLimit>{
     Field{"state", "", "how the search for first contact ended", &TurnLimit::state},
     Field{"low_deg", "deg", "no contact from the start of the leg to here", &TurnLimit::low_deg},
     Field{"high_deg", "deg", "where limited, contact here", &TurnLimit::high_deg}};
 
-/// A leg of a required path, before the cut and after.
+/// A leg of a required path, before and after the cut.
 struct ResectLeg {
   std::string words;
   std::string_view motion;
@@ -138,7 +118,7 @@ struct ResectLeg {
       Field{"after", "", "and after it, up to 10 degrees more", &ResectLeg::after}};
 };
 
-inline constexpr double kBeyondLeg = 10.0;  // degrees that are looked at beyond what is required
+inline constexpr double kBeyondLeg = 10.0;  // degrees that are looked at beyond the required motion
 
 struct ResectAnswer : CutSize {
   Surface surface = Surface::ball;
@@ -148,10 +128,10 @@ struct ResectAnswer : CutSize {
   std::optional<LeastExtent> least;
   std::optional<NeckBar> neck;
   std::vector<ResectLeg> legs;
-  // Frame of the meshes, mm, the ball as scanned also where landmarks turn it in the joint:
+  // Frame of the meshes, mm; the ball lies as scanned, even where landmarks turn it in the joint.
   TriangleMesh mesh;                  // of the bone that is left
   std::vector<double> depth;          // of each vertex, along its ray
-  std::vector<LeastCut::Cell> swept;  // what may have to go in the least cut of all
+  std::vector<LeastCut::Cell> swept;  // what may have to go in the least cut
 
   static constexpr auto fields = std::tuple_cat(
       std::tuple{Field{"surface", "",
@@ -182,8 +162,25 @@ struct ResectAnswer : CutSize {
           Field{"legs", "", "of the required paths; none touches after the cut", &ResectAnswer::legs}});
 };
 
-/// std::runtime_error, one line with the place in the frame of the meshes, if the cut is refused;
-/// std::invalid_argument as check(), or where a motion needs a side.
+/// Throws std::runtime_error, one line with the place in the frame of the meshes, if the cut is refused;
+/// std::invalid_argument as check() does, or if a motion needs a side.
+///
+/// A cut is refused if
+///   * the pose of the scan already touches, or has a gap below the clearance;
+///   * the mesh of the ball ends under the socket on the way: the missing bone may be in the way too;
+///   * it reaches the bearing surface of the ball: vertices that face the socket in the pose of the scan and
+///     lie within SphereFit::trim of the sphere that fits the head (hip/sphere_fit.hpp);
+///   * it reaches the bearing surface of the socket: vertices within BallFitOptions::trim of the sphere of
+///     measure_acetabulum() (hip/hip_measures.hpp) that lie farther inside the rim than may be trimmed, so
+///     that the sphere goes on all round them at that distance. A socket without a rim is not checked;
+///   * it thins the neck too much: the widest round bar about the neck axis (hip/hip_measures.hpp) that the
+///     cut leaves whole is narrower than asked for. It is checked on a ball with a neck;
+///   * bone beside the joint stops a required motion after the cut (limits/body_pairs.hpp). Such parts are
+///     not cut, and need no clearance.
+///
+/// The least cut of all removes bone along the same rays, from the same radius on, so the checks of bearing
+/// surface and neck hold for it as well. The socket has no least cut; the ball's is
+/// refused if the socket has no wall or there is bone beside the joint.
 ResectAnswer answer(Session& session, const ResectRequest& request);
 
 }  // namespace impinge

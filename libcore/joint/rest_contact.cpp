@@ -12,7 +12,7 @@ namespace impinge {
 namespace {
 
 constexpr double kOverlapStep = 0.1;  // mm
-constexpr double kMostOverlap = 5.0;  // mm; deeper, it is not the bones that rest on each other
+constexpr double kMostOverlap = 5.0;  // mm; bones that overlap deeper do not just rest on each other
 
 }  // namespace
 

@@ -22,7 +22,7 @@ std::optional<ClockFace> dial_of(TriangleMesh socket, const Eigen::Matrix3d& axe
 }
 
 std::unique_ptr<const ScannedVertices> probes_of(const TriangleMesh& mesh, Layer layer) {
-  constexpr double kReach = 1e-3;  // no cap is asked for
+  constexpr double kReach = 1e-3;  // caps are not used
   const SurfaceIndex surface(mesh, layer, kReach);
   std::vector<Vec3> points;
   for (const Vec3& u : feature_directions(mesh)) {
@@ -51,7 +51,7 @@ SessionTables filled(const SessionJoint& joint, const TableSettings& settings) {
   return tables;
 }
 
-// All of it is made before anything of the session changes.
+// Everything is made before the session changes.
 void use(Session& session, std::unique_ptr<SessionJoint> joint) {
   session.tables = filled(*joint, session.tables.settings);
   session.joint = std::move(joint);

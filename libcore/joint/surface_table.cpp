@@ -16,7 +16,7 @@
 namespace impinge {
 namespace {
 
-// The table in double of an interpolant, what bounds it, and whether a kernel scans it in fewer bits.
+// For an interpolant: its table in double, that table's bounds, and whether a kernel scans fewer bits.
 template <class S, class Interpolant>
 struct Forms {
   using Exact = RadialTable<S>;
@@ -53,7 +53,7 @@ class BoundsOf final : public SurfaceBounds {
   double storage_;
 };
 
-// Kept is the table in double, one in fewer bits, or one of the kernels.
+// `Kept` is the table in double, in fewer bits, or a kernel's.
 template <class S, class Interpolant, class Kept>
 class KeptTable final : public SurfaceTable {
  public:

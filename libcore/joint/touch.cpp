@@ -12,7 +12,7 @@
 namespace impinge {
 namespace {
 
-// Null for a main surface.
+// Name of a part; null for a main surface.
 std::optional<std::string> part_or_null(const std::vector<MeshPart>& parts, std::size_t body) {
   std::string name = body_name(parts, body);
   return name.empty() ? std::nullopt : std::optional(std::move(name));
@@ -31,7 +31,7 @@ void warn(const std::string& line, SessionJoint& joint) {
   if (!line.empty()) joint.joint.warnings.push_back(line);
 }
 
-// `faces` are those that the vertex meets.
+// `faces` are the other surface's.
 SmallestOfPose told_gap(const SessionJoint& joint, const LeastGap& least, const Vec3& vertex,
                         const NearFaces& faces, const Pose& pose) {
   const Surface scanned = least.at.scanned;
@@ -160,16 +160,17 @@ std::string describe_contact(const TouchAnswer& found, const std::string& pose,
                              const ScanContactOptions& options) {
   if (found.contact.state != Contact::yes) return {};
   const auto& gap = found.smallest_gap;
-  const bool of_parts = found.contact.ball_part || found.contact.socket_part;  // rays know nothing of them
+  const bool of_parts = found.contact.ball_part || found.contact.socket_part;  // rays ignore parts
   const bool overlap = gap && gap->gap_mm < 0.0 && !of_parts;
   const std::string depth =
       overlap ? ", " + rounded_up(-gap->gap_mm, 3) + " mm deep along a ray" + place_of(*gap) : "";
   const std::string on_top =
-      overlap && !options.overlap.empty() ? "; " + options.overlap + " asks for what comes on top" : "";
+      overlap && !options.overlap.empty() ? "; " + options.overlap + " accepts it" : "";
   const std::string blocked = options.rim ? "blocked where the rim itself touches neck or shaft" : "blocked";
-  return both_of(found.contact) + " touch " + pose + depth + ": what begins there is " + blocked +
+  return both_of(found.contact) + " touch " + pose + depth + ": every motion that begins there is " +
+         blocked +
          "; check the centre, the frame and the segmentation of both (a head "
-         "and a liner of one nominal radius need their play)" +
+         "and a liner of equal radius need a clearance)" +
          on_top;
 }
 
@@ -179,7 +180,7 @@ std::string describe_threshold(const TouchAnswer& found, const std::string& pose
   if (found.contact.state == Contact::yes || !gap || gap->gap_mm > options.threshold_mm) return {};
   return "the smallest gap " + pose + " is " + rounded_down(gap->gap_mm, 3) + " mm" + place_of(*gap) +
          formatted(", not above the %g mm of ", options.threshold_mm) + options.threshold +
-         ": what asks for a gap of that size is blocked from the start; give less";
+         ": every limit for that gap is blocked from the start; give a smaller one";
 }
 
 Pose scanned_pose(const SessionJoint& joint) {

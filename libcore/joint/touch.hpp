@@ -59,7 +59,7 @@ struct SmallestOfPose {
       Field{"clock", "", "on the rim's clock; null where the socket has none", &SmallestOfPose::clock}};
 };
 
-/// Two bones of which one at least is a part.
+/// Two bones, of which at least one is a part.
 struct NearestPartDocument {
   double distance_mm = 0.0;
   bool touch = false;
@@ -97,51 +97,51 @@ struct TouchAnswer {
 };
 
 TouchAnswer answer(Session& session, const TouchRequest& request);
-/// The same without the nearest part, in any pose of the ball in the socket.
+/// As answer(), in any pose of the ball in the socket, without the nearest part.
 TouchAnswer touch_in(SessionJoint& joint, const Pose& pose);
 
-/// The pose that a motion names, of the ball in the centre frame of the socket.
+/// The pose of the ball in the centre frame of the socket after a motion.
 Pose pose_of(const SessionJoint& joint, const Motion& motion, const Vec3& translation = Vec3::Zero());
-/// A verdict with the names of the joint's parts.
+/// A verdict, with the names of the joint's parts.
 ContactDocument contact_of(const Joint& joint, const BodyPairs::Verdict& verdict);
 std::optional<NearestPartDocument> nearest_part(SessionJoint& joint, const Pose& pose);
-/// None where the surfaces do not face each other. Of one pose, measured on the faces of the vertices that
-/// can have it (joint/needed_work.hpp).
+/// The smallest gap in one pose, measured on the faces for the vertices that can have it
+/// (joint/needed_work.hpp). None where the surfaces do not face each other.
 std::optional<SmallestOfPose> smallest_gap(SessionJoint& joint, const Pose& pose);
-/// The same of one of many poses, without looking at most vertices. `culled` is of these meshes.
+/// The smallest gap in one of many poses, without looking at most vertices. `culled` must be of these meshes.
 std::optional<SmallestOfPose> smallest_gap(const SessionJoint& joint, const CulledJoint& culled,
                                            const BallSocketPair& meshes, const Pose& pose);
 
-/// Lines for a terminal; none where there is nothing to say.
+/// Lines for a terminal; empty where there is nothing to say.
 std::string describe(const std::optional<SmallestOfPose>& gap);
 std::string describe(const std::optional<NearestPartDocument>& part);
-/// Such as "contact             yes: the surfaces of ball and socket meet".
+/// A line such as "contact             yes: the surfaces of ball and socket meet".
 std::string describe(const ContactDocument& contact);
 
-/// How a reader gives what the lines below tell him to; empty: he cannot.
+/// The options that the lines below advise the user to set; empty if there is no such option.
 struct ScanContactOptions {
   std::string overlap{};      // what makes an overlap no contact (JointInput::overlap_mm)
-  double threshold_mm = 0.0;  // gaps of this size or less are asked about, too; 0: none are
+  double threshold_mm = 0.0;  // gaps up to this are asked about, too; 0: none
   std::string threshold{};    // the option that gave it
-  bool rim = false;           // is only the rim alone asked about (joint/limits.hpp)?
+  bool rim = false;           // is the rim alone asked about (joint/limits.hpp)?
 };
 
-/// Contact in the pose of the scan, where no bones are in one another: every motion that begins there is
-/// blocked, and says nothing else. One line for the reader: how deep, where, and what to do; empty where
-/// nothing touches. `pose` names it, as "as scanned".
+/// One line if bones touch in the pose of the scan, where real bones cannot: every motion from there would
+/// only be "blocked". It says how deep, where, and what to do. Empty if nothing touches. `pose` names the
+/// pose, such as "as scanned".
 std::string describe_contact(const TouchAnswer& found, const std::string& pose,
                              const ScanContactOptions& options);
 
-/// One line where the gap is not above the threshold although nothing touches, so that each answer about a
-/// gap of that size is "blocked"; else empty.
+/// One line if nothing touches but the gap is at most the threshold, so that each answer about a gap of that
+/// size is "blocked"; else empty.
 std::string describe_threshold(const TouchAnswer& found, const std::string& pose,
                                const ScanContactOptions& options);
 
-/// The pose of the scan: of landmarks of a femur the one that they turned to neutral.
+/// The pose of the scan, before landmarks of a femur turned it to neutral.
 Pose scanned_pose(const SessionJoint& joint);
 
-/// Adds these lines to the warnings of the joint for the pose that motions begin at, that of the scan; where
-/// landmarks of the femur turned the ball to neutral, for both.
+/// Adds these lines to the joint's warnings for the pose of the scan, where motions begin. If landmarks
+/// turned the femur to neutral, it adds them for both poses.
 void warn_of_contact(SessionJoint& joint, const ScanContactOptions& options = {});
 
 }  // namespace impinge

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All rotations of a session's joint (rotations/volume.hpp), in the joint frame about the centre of the ball,
-// without a shift.
+// The volume of all rotations of a session's joint (rotations/volume.hpp), in the joint frame, about the
+// centre of the ball, which is not shifted.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ struct VolumeRequest {
             &VolumeRequest::centre_within_mm, kNotNegative}};
 };
 
-/// What stops a motion, as far as the cells know.
+/// What stops a motion, as far as the cells tell.
 struct VolumeMotion {
   std::string_view motion;
   double low_deg = 0.0;
@@ -57,10 +57,9 @@ struct VolumeMotion {
       Field{"socket_part", "", "the same of the socket", &VolumeMotion::socket_part}};
 };
 
-/// Volume of all rotations in the space of three Euler angles about axes that change, the middle one at right
-/// angles to both others, whose volume is weighted by the cosine of the middle angle: degrees^3. So weighted
-/// it is the invariant measure, and a share of it is the same for all axes (Manafzadeh and Gatesy 2020,
-/// doi:10.1242/jeb.227108).
+/// Volume of all rotations as three Euler angles, degrees^3. The middle axis is perpendicular to the two
+/// others, and the volume is weighted by the cosine of the middle angle. This makes it the invariant measure:
+/// a share of it is the same for all choices of axes (Manafzadeh and Gatesy 2020, doi:10.1242/jeb.227108).
 inline constexpr double kAllRotationsDeg3 = 360.0 * 360.0 * 360.0 / kPi;
 
 struct VolumeAnswer {
@@ -85,7 +84,7 @@ struct VolumeAnswer {
       Field{"reachable_low", "1", "share that is reached from the pose of the scan without contact, at least",
             via(&VolumeAnswer::shares, &VolumeShares::reached)},
       Field{"reachable_high", "1", "at most", via(&VolumeAnswer::shares, &VolumeShares::within_reach)},
-      Field{"neutral_blocked", "", "is the pose of the scan?", &VolumeAnswer::neutral_blocked},
+      Field{"neutral_blocked", "", "is the pose of the scan blocked?", &VolumeAnswer::neutral_blocked},
       Field{"unknown", "1", "share of which nothing is known: the ball's mesh ends there",
             via(&VolumeAnswer::shares, &VolumeShares::unknown)},
       Field{"open", "1", "share that is undecided", via(&VolumeAnswer::shares, &VolumeShares::open)},
@@ -94,7 +93,7 @@ struct VolumeAnswer {
       Field{"motions", "", "each named motion; none without a side", &VolumeAnswer::motions}};
 };
 
-/// A cell of `volume`, as volume.csv has it.
+/// A cell, as a row of volume.csv.
 struct VolumeRow {
   std::uint32_t level = 0;
   std::uint64_t cell = 0;
@@ -129,15 +128,15 @@ struct VolumeRow {
 };
 VolumeRow volume_row(const VolumeCell& at);
 
-/// Most cells that programs allow, which take some gigabytes of memory.
+/// The most cells that programs allow; they take some gigabytes of memory.
 inline constexpr std::size_t kMostVolumeCells = 20'000'000;
 
-/// The width of `how` is that of the request. std::invalid_argument as for CellTest and MotionVolume.
+/// The width in `how` is replaced by the request's. Throws as CellTest and MotionVolume do.
 VolumeAnswer answer(Session& session, const VolumeRequest& request,
                     VolumeSettings how = {.most_cells = kMostVolumeCells});
 
-/// The test for cells of rotations, parts of bone included. `socket` is the socket's mesh with its parts,
-/// about the centre of the ball (SessionJoint::seen) or as it was before the ball was shifted.
+/// The test for cells of rotations, with parts of bone. `socket` is the socket's mesh with its parts, about
+/// the centre of the ball: SessionJoint::seen, or as it was before the ball was shifted.
 CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const CellQuestion& question = {});
 
 }  // namespace impinge

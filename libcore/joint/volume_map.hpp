@@ -14,14 +14,14 @@ namespace impinge {
 inline constexpr int kMapStep = 5;
 inline constexpr int kMapExtension = -45;  // flexion at the left
 inline constexpr int kMapFlexion = 150;
-inline constexpr int kMapAbduction = 75;  // at the top, and of adduction below
+inline constexpr int kMapAbduction = 75;  // at the top; adduction is below
 
 struct MapSquare {
   CellState state = CellState::open;  // of the pose without rotation
-  double range_deg = 0.0;  // where it is free: from external to internal rotation, certainly without contact
+  double range_deg = 0.0;  // certainly free range from external to internal rotation, where the pose is free
 };
 
-/// The map at a flexion and an abduction, degrees. std::invalid_argument as for joint_rotation().
+/// The square of the map at a flexion and abduction, degrees. Throws as joint_rotation() does.
 MapSquare map_square(const MotionVolume& volume, const Motion& pose, std::optional<Side> side);
 
 }  // namespace impinge

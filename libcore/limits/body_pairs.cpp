@@ -25,11 +25,11 @@
 namespace impinge {
 namespace {
 
-constexpr double kNodeRounding = 1e-9;  // of lengths
-constexpr double kLidRounding = 1e-6;   // of the size of a body, that boxes of openings are grown by
-constexpr double kWidestHole = 0.1;     // of the size of a body that is no sheet; of its area, if flat
-constexpr double kFlat = 0.1;           // of the length of a border, that it may be thick
-constexpr int kRays = 16;               // that are asked whether a point is inside
+constexpr double kNodeRounding = 1e-9;  // share of a length
+constexpr double kLidRounding = 1e-6;   // boxes of openings are grown by this share of a body's size
+constexpr double kWidestHole = 0.1;  // an opening of a larger share of a body's size, or area, makes a sheet
+constexpr double kFlat = 0.1;        // an opening is flat if it is no thicker than this share of its length
+constexpr int kRays = 16;            // rays that are asked whether a point is inside
 
 // Evenly over all directions, none of them along an axis or a diagonal.
 std::array<Vec3, kRays> ways_out() {
@@ -51,7 +51,7 @@ TriangleMesh without_flat_faces(TriangleMesh mesh) {
   return mesh;
 }
 
-// Does the segment pass the box?
+// Does the segment pass the opening's box?
 bool passes(const Opening& opening, const Vec3& out_of, const Vec3& into) {
   const auto& [axes, box] = opening;
   const Vec3 from = axes * out_of;
@@ -68,7 +68,7 @@ bool passes(const Opening& opening, const Vec3& out_of, const Vec3& into) {
   return first <= last + kNodeRounding;
 }
 
-// Calls visit(triangle) for those near the segment until it returns true.
+// Calls visit(triangle) for triangles near the segment until it returns true; returns whether it did.
 template <class Visit>
 bool visit_near(const SweptParts& faces, const Vec3& from, const Vec3& to, const Visit& visit) {
   std::vector<std::uint32_t> pending;
@@ -102,13 +102,13 @@ void add_box(const Opening& opening, TriangleMesh& mesh) {
   for (int k = 0; k < 8; ++k)
     mesh.vertices.push_back(opening.axes.transpose() *
                             opening.box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k)));
-  for (const VertexIndex k : {0U, 3U, 5U, 6U}) {  // corners of which no two share a side
+  for (const VertexIndex k : {0U, 3U, 5U, 6U}) {  // no two of these corners share an edge
     for (const auto& [a, b] : {std::pair{1U, 2U}, {2U, 4U}, {4U, 1U}})
       mesh.faces.push_back({first + k, first + (k ^ a), first + (k ^ b)});
   }
 }
 
-// Without those that are there again.
+// The mesh without faces that repeat another one.
 TriangleMesh once(TriangleMesh mesh) {
   std::set<Face> seen;
   std::erase_if(mesh.faces, [&](Face face) {
@@ -120,7 +120,7 @@ TriangleMesh once(TriangleMesh mesh) {
 
 }  // namespace
 
-// A main sheet is wound by what it is: a ball outwards, a socket towards the centre.
+// 1 if the normals point out of the bone: a ball's away from the centre, a socket's towards it. Else -1.
 static int winding(const TriangleMesh& mesh, bool ball) {
   double volume = 0.0;
   for (const Face& face : mesh.faces) {
@@ -146,8 +146,8 @@ BodyPairs::Body::Body(const TriangleMesh& of, bool turns, Is what) {
   find_pieces(mesh);
 }
 
-// Edges of one face, or of three, that share a vertex are the border of one opening. Faces without area count
-// here: they close what is between their neighbours.
+// Edges with an odd number of faces that share vertices are the border of one opening. Faces without area
+// count here: they close the slit between their neighbours.
 void BodyPairs::Body::find_openings(const TriangleMesh& all) {
   DisjointSets sets(all.vertices.size());
   std::vector<Edge> odd;
@@ -185,7 +185,8 @@ void BodyPairs::Body::find_pieces(const TriangleMesh& mesh) {
   for (const std::size_t root : roots) pieces.push_back(mesh.vertices[root]);
 }
 
-// What the faces that a segment outwards crosses add up to; none where it touches a side of one.
+// Counts the faces that the segment crosses: 1 along the face's normal, -1 against it. None where it touches
+// an edge of a face.
 std::optional<int> BodyPairs::Body::crossings(const Vec3& from, const Vec3& to) const {
   int sum = 0;
   const bool touches = visit_near(faces(), from, to, [&](const Triangle& face) {
@@ -230,8 +231,8 @@ Contact BodyPairs::Body::encloses(const Vec3& x) const {
   return inside ? Contact::yes : Contact::no;
 }
 
-// Of a body whose surface is apart: place(x) is where its points are, and `reach` by how much farther they
-// may be.
+// Is a point of the other body inside? The two surfaces must not meet. place(x) is where a point x of the
+// other body lies in this one's frame; it may be up to `reach` mm away from there.
 template <class Place>
 Contact BodyPairs::Body::holds_of(const Body& other, double reach, const Place& place) const {
   Contact found = Contact::no;
@@ -273,7 +274,7 @@ BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
   }
 }
 
-// Faces are known again by their corners.
+// Faces of the main surface are recognised by their corners.
 void BodyPairs::Body::find_main(const TriangleMesh& main) {
   using Corners = std::array<std::array<double, 3>, 3>;
   const auto key = [](const Triangle& face) {
@@ -288,7 +289,7 @@ void BodyPairs::Body::find_main(const TriangleMesh& main) {
     if (orientation(at[0], at[1], at[2]) != 0) all.insert(key(at));
   }
   of_main.resize(faces().nodes().size());
-  for (std::size_t k = of_main.size(); k-- > 0;) {  // what a node has comes after it
+  for (std::size_t k = of_main.size(); k-- > 0;) {  // children come after their node
     const SweptParts::Node& node = faces().nodes()[k];
     of_main[k] = node.leaf ? all.count(key(faces().parts()[node.at].corner)) > 0
                            : of_main[node.at] && of_main[node.at + 1];
@@ -322,7 +323,7 @@ bool BodyPairs::closed() const {
   return all_closed(ball_) && all_closed(socket_);
 }
 
-// ask(pair) gives a verdict: the first yes, else the first that is not known.
+// ask(pair) gives a verdict. Returns the first yes, else the first unknown, else no.
 template <class Ask>
 BodyPairs::Verdict BodyPairs::first_of(const Ask& ask) const {
   Verdict first;
@@ -375,7 +376,7 @@ std::optional<BodyPairs::Nearest> BodyPairs::nearest_part(const Pose& pose) cons
   return found;
 }
 
-// Where the surfaces do not meet in these poses: may a point of one come to be inside the other?
+// If the surfaces meet in none of these poses: may a point of one be inside the other in one of them?
 bool BodyPairs::may_hold(const Body& ball, const Body& socket, const NearPoses& poses) {
   const auto farthest = [&](const Body& body) {
     const double way = body.faces().empty() ? 0.0 : body.faces().nodes()[0].farthest;
@@ -427,7 +428,7 @@ void BodyPairs::find_inner_balls(const BallSocketPair& main, bool by_radii) {
     const auto& others = kSurfaces[k] == Surface::ball ? socket_ : ball_;
     bodies[0]->find_main(mesh_of(main, kSurfaces[k]));
     for (const auto& body : bodies) {
-      if (by_radii && main_only_ && body == bodies[0] && others.size() == 1) continue;  // it is not asked
+      if (by_radii && main_only_ && body == bodies[0] && others.size() == 1) continue;  // not needed
       const auto to_opening = [&](const Vec3& x) {
         double least = HUGE_VAL;
         for (const Opening& at : body->openings) least = std::min(least, at.distance(x));
@@ -488,7 +489,7 @@ std::vector<BodyPairs::Vertex> BodyPairs::near(const Pair& pair, const Pose& pos
 bool BodyPairs::is_inside_by(const Vertex& vertex, const Pose& pose, double depth_mm) const {
   const Body& other = vertex.of_ball ? *socket_[vertex.pair.socket] : *ball_[vertex.pair.ball];
   const Vec3 x = vertex.of_ball ? to_socket(pose, vertex.x) : to_ball(pose, vertex.x);
-  const double far = x.norm();  // in all of the turn, whatever its axis
+  const double far = x.norm();  // the same in all of the turn, whatever its axis
   const auto near = [&](const Opening& at) {
     const double farthest = at.box.min().cwiseAbs().cwiseMax(at.box.max().cwiseAbs()).norm();
     return at.distance(Vec3::Zero()) <= far + depth_mm && far - depth_mm <= farthest;
@@ -497,7 +498,8 @@ bool BodyPairs::is_inside_by(const Vertex& vertex, const Pose& pose, double dept
          other.faces().farther_than(depth_mm, x) && other.holds(x) == Contact::yes;
 }
 
-// visit(ball, socket, pair) is of surfaces, and of each with what may close the other.
+// Calls visit(ball, socket, pair) for the surfaces of two bodies, and for each surface with the boxes of the
+// other one's openings.
 template <class Visit>
 void BodyPairs::for_each_turned(const Visit& visit) const {
   for (const Pair& pair : pairs_) {

@@ -1,35 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact of bones, and which bones of a joint can be in contact: all of the ball's side with all of the
-// socket's.
+// Are bones in contact: in a pose, in any or all of many poses, or first in a turn? Every body of the ball's
+// side is asked about with every body of the socket's.
 //
 // Two bodies are in contact where their surfaces have a common point, or where a point of one is inside the
-// other. If the surfaces have none, each connected piece of one is inside the other as a whole or not at all,
-// which one of its vertices tells. Of a piece that comes into a small opening of the other all vertices do.
+// other. Theorem 11 (contact); for many poses (limits/near_poses.hpp) Theorem 14 (volume). What is inside
+// depends on the mesh:
 //
-// Inside. A closed surface has an inside: the points from which a ray crosses it an odd number of times. (Of
-// a closed socket round the centre it is the outside that is bone.) A mesh with openings has one only as far
-// as no opening can change it. Whatever closes an opening is taken to lie in the box of its border. Then rays
-// that pass no such box cross what they would of the closed bone. If all of 16 such rays cross it an odd
-// number of times the point is inside, if none does it is outside; else, or if no ray is left, it is not
-// known. From a clear pose bodies move continuously, and what is not inside another comes to be so only
-// through a pose in which surfaces meet, or through such a box: a turn is searched for both.
-//
-// A sheet, such as a cropped acetabulum, does not say where its bone ends behind. It is a mesh with an
-// opening wider than a tenth of it, unless that is flat, as where a shaft is cut, and no side of its box has
-// more than a tenth of the area of the faces (our choice). A point is inside only if all rays come from
-// behind it on balance, crossings outwards less those inwards: in the hollow of an acetabulum none does. Of
-// main surfaces only: they are wound by what they are, outwards or to the centre. Behind any other sheet, as
-// one of cartilage round the head, it is not known. And a single pose in which a socket of that kind is not
-// met, but radii overlap (gap/overlay.hpp), counts as contact; the answer says so. A turn asks of a sheet
-// where its surface is met, and no more.
-//
-// Surfaces alone, such as a rim and a neck that were cut out of their bones, have no inside: they are in
-// contact where they meet, in a pose as in a turn.
-//
-// Many poses at once (limits/near_poses.hpp). If surfaces meet in none of them, each connected piece of one
-// is inside the other in all of them or in none, which one of its points tells. And where a point of a
-// surface stays in an inner ball of the other body, they are in contact in all of them. Theorem 11 (contact),
-// Theorem 14 (volume).
+//   closed           A point is inside if a ray from it crosses the surface an odd number of times. (Of a
+//                    closed socket round the centre the bone is outside.)
+//   with openings    Whatever closes an opening is taken to lie in the box of its border. Of 16 rays, those
+//                    that pass such a box are left out. The point is inside if all others cross an odd number
+//                    of times, outside if none does; else it is not known. A turn is searched for contact
+//                    with these boxes too.
+//   a sheet          such as a cropped acetabulum: it does not say where its bone ends behind. A mesh is a
+//                    sheet if it has an opening wider than a tenth of it. A flat opening, as where a shaft is
+//                    cut, makes no sheet if no side of its box has more than a tenth of the area of the faces
+//                    (our choice). A point is inside a main sheet only if all rays cross it outwards more
+//                    often than inwards; in the hollow of an acetabulum none does. Of any other sheet, such
+//                    as cartilage round the head, inside is not known. A single pose in which radii overlap
+//                    (gap/overlay.hpp) counts as contact if the socket is a sheet, and the answer says so. A
+//                    turn only asks where its surface is met.
+//   surfaces alone   that were cut out of their bones have no inside: they are in contact where they meet.
 #pragma once
 
 #include <cstdint>
@@ -52,19 +43,19 @@
 
 namespace impinge {
 
-/// Are bones in contact, or a point inside one? `unknown` where only an opening of a mesh could tell.
+/// Are bones in contact, or is a point inside one? `unknown` where that depends on an opening of a mesh.
 enum class Contact : std::uint8_t { no, yes, unknown };
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<Contact>{"no", "yes", "unknown"};
 
-/// By what a contact was told: surfaces meet, a point is inside, or radii overlap (see above).
+/// Why bodies count as in contact: surfaces meet, a point is inside, or radii overlap (see above).
 enum class ContactRule : std::uint8_t { surfaces, inside, radii };
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<ContactRule>{"surfaces", "inside", "radii"};
 
 /// A box round the border of an opening.
 struct Opening {
-  Eigen::Matrix3d axes;  // to the frame of the box, along which the border spreads, least first
+  Eigen::Matrix3d axes;  // rotation to the frame of the box; the border spreads least along its first axis
   Eigen::AlignedBox3d box;
   double distance(const Vec3& x) const { return box.exteriorDistance((axes * x).eval()); }
 };
@@ -73,70 +64,72 @@ struct Opening {
 class BodyPairs {
  public:
   BodyPairs(const BallSocketPair& main, const BoneParts& beside);
-  /// Of surfaces alone (see above), none of them with parts.
+  /// A joint of surfaces alone (see above), without parts.
   static BodyPairs of_surfaces(const BallSocketPair& surfaces);
 
-  /// Places of two bodies: 0 is the bone with the main surface, k the kth part beside it.
+  /// Indices of two bodies: 0 is the bone with the main surface, k the kth part beside it.
   struct Pair {
     std::size_t ball = 0;
     std::size_t socket = 0;
   };
   struct Verdict {
     Contact contact = Contact::no;
-    ContactRule rule = ContactRule::surfaces;  // of yes
-    Pair pair{};                               // of yes and of unknown
-    bool closed = false;                       // the point is inside a body without an opening
+    ContactRule rule = ContactRule::surfaces;  // why, where the contact is yes
+    Pair pair{};                               // which bodies, where it is yes or unknown
+    bool closed = false;                       // has the body that holds the point no opening?
   };
 
-  /// Do all bones with main surfaces have an inside? Else radii decide about single poses of a sheet.
+  /// Do the main bones have an inside? Else they are surfaces alone, or radii decide about single poses.
   bool has_inside() const { return inside_ && !radial_; }
-  /// Main surfaces of which radii decide; null if they have an inside.
+  /// The main surfaces if radii decide about them; null if they do not.
   const CulledJoint* radial() const { return radial_ ? &radial_->joint : nullptr; }
-  /// Has none of them an opening?
+  /// Is no body open?
   bool closed() const;
   /// Does the ball's mesh end where its bone goes on?
   bool ball_ends() const { return main_only_ && !ball_[0]->openings.empty(); }
-  /// Are any in contact? Exact, for the ball's vertices as the pose rounds them.
+  /// Are any bodies in contact? Exact, for the ball's vertices as the pose rounds them.
   Verdict verdict(const Pose& pose) const;
-  /// The same without the rule of radii: for what a motion from a clear pose comes to.
+  /// Are any in contact, whatever radii say? For poses that a motion from a clear pose reaches.
   bool meet(const Pose& pose) const;
   struct Nearest {
     Pair pair;
-    double distance_mm;  // of the surfaces, up to rounding and never above the true one; 0 in contact
-    bool touch;          // exact
+    double distance_mm;  // of the surfaces, rounded down; 0 in contact
+    bool touch;          // are they in contact? Exact
   };
-  /// The bodies whose surfaces are nearest to each other (contact/part_distance.hpp), of which one at least
-  /// is a part; none without a part.
+  /// The two bodies whose surfaces are nearest to each other (contact/part_distance.hpp), among pairs with at
+  /// least one part; none where there is no part.
   std::optional<Nearest> nearest_part(const Pose& pose) const;
-  /// Bodies that may be in contact in one of the poses; std::nullopt proves that none are, in any of them.
-  /// by_radii: what the main surfaces do is told by radii, and not asked.
+  /// Two bodies that may be in contact in one of the poses; std::nullopt proves that no two are, in any pose.
+  /// by_radii: the caller decides about the main surfaces by radii, and they are not asked about here.
   std::optional<Pair> may_meet(const NearPoses& poses, bool by_radii = false) const;
-  /// The faces that may meet in one of them, where bodies are apart in the middle; none if that is not
-  /// proven, or they are more than `most`.
+  /// All pairs of faces that may meet in one of the poses, if the bodies are proven to be apart in the middle
+  /// pose; none if they are not, or if there are more than `most` pairs.
   std::optional<std::vector<ClosePair>> close(const NearPoses& poses, bool by_radii, std::size_t most) const;
-  /// Makes overlap() ready, which takes a while. `main` as given before, `by_radii` as it will be asked.
+  /// Makes overlap() and deepest() ready, which takes a while. `main` as given to the constructor, `by_radii`
+  /// as these will be asked.
   void find_inner_balls(const BallSocketPair& main, bool by_radii = false);
-  /// Is a point of one inside another body, or within the gap of it, in all of the poses? Yes is proven. No
-  /// before find_inner_balls().
+  /// Is a point of one body inside another one, or within the gap of it, in all of the poses? Yes is proven;
+  /// no is not. Always no before find_inner_balls().
   bool overlap(const NearPoses& poses, bool by_radii = false) const;
-  /// Points that are in contact in the middle of the poses, `most` of each pair of bodies at most.
+  /// Points that are in contact in the middle of the poses, at most `most` of each pair of bodies.
   std::vector<WithinReach> deepest(const NearPoses& poses, bool by_radii, std::size_t most) const;
-  /// A vertex, as its body lies at rest, mm.
+  /// A vertex of one of two bodies.
   struct Vertex {
     Pair pair;
     bool of_ball;
-    Vec3 x;
+    Vec3 x;  // mm, as its body lies at rest
   };
-  /// The vertices of two bodies within that distance, mm, of a place in the socket's frame.
+  /// The vertices of two bodies that are within `within` mm of a place in the socket's frame.
   std::vector<Vertex> near(const Pair& pair, const Pose& pose, const Vec3& place, double within) const;
-  /// Is it inside the other body, farther than that from its surface, and did it come there through that,
-  /// about whatever centre, if this shifts it by no more? No of a sheet, and of what an opening may let in.
+  /// Is the vertex inside the other body, farther than depth_mm from its surface and its openings? Yes is
+  /// proven. No where the other body is a sheet, or an opening is as near to the sphere about the centre on
+  /// which the vertex turns.
   bool is_inside_by(const Vertex& vertex, const Pose& pose, double depth_mm) const;
-  /// The first contact of all pairs in these angles of a turn, radians, if there is one; or with what may
-  /// close a body, behind which inside is to be asked for.
+  /// The first contact of any two bodies in these angles of a turn, radians, if there is one. It may be with
+  /// the box of an opening: then meet() has to be asked beyond it.
   std::optional<TurnContact> first_contact(const JointTurn& turn, AngleSpan angles) const;
-  /// The least first_within() (swept_parts.hpp) of all pairs, radians. `ball` and `socket` are the rotations
-  /// to the frame whose +z is the axis.
+  /// The least first_within() (swept_parts.hpp) of all pairs of bodies, radians. `ball` and `socket` are the
+  /// rotations to the frame whose +z is the axis of the turn.
   double first_within(const Eigen::Matrix3d& ball, const Eigen::Matrix3d& socket, const WithinSpan& within,
                       double largest) const;
 
@@ -145,16 +138,16 @@ class BodyPairs {
     enum class Is : std::uint8_t { main, whole, part, surface };
     Body(const TriangleMesh& of, bool turns, Is what);
     TurnBody turn;                    // each face once, none without area
-    std::optional<MovedFaces> moved;  // the same, of the ball's side
-    std::optional<FixedFaces> fixed;  // of the socket's
+    std::optional<MovedFaces> moved;  // these faces, if the body is of the ball's side
+    std::optional<FixedFaces> fixed;  // these faces, if it is of the socket's
     bool alone = false;               // a surface without an inside
     std::vector<Opening> openings;
-    TurnBody lids;  // these boxes, of a body that is no sheet
+    TurnBody lids;  // the boxes of the openings, if the body is no sheet
     bool sheet = false;
-    int wound = 0;              // of a main sheet: 1, or -1 if its faces are seen from the bone's inside
+    int wound = 0;              // of a main sheet: 1, or -1 if its normals point into the bone
     std::vector<Vec3> pieces;   // a vertex of each connected piece
     bool hollow = false;        // a closed socket round the centre: bone is outside of it
-    std::vector<bool> of_main;  // of each node of faces: are all of them of the main surface, none edge-on?
+    std::vector<bool> of_main;  // for each node of faces: are they all of the main surface, and none edge-on?
     InnerBalls inner;
     Contact holds(const Vec3& x) const;
     Contact encloses(const Vec3& x) const;
@@ -166,7 +159,7 @@ class BodyPairs {
     void find_pieces(const TriangleMesh& mesh);
     void find_main(const TriangleMesh& main);
   };
-  /// Of main surfaces, where the socket's has no inside.
+  /// The main surfaces, where the socket is a sheet.
   struct Radial {
     explicit Radial(BallSocketPair main) : meshes(std::move(main)), joint(meshes), overlay(joint) {}
     BallSocketPair meshes;
@@ -189,8 +182,8 @@ class BodyPairs {
   std::vector<std::unique_ptr<Body>> ball_;
   std::vector<std::unique_ptr<Body>> socket_;
   std::vector<Pair> pairs_;
-  bool main_only_ = true;  // are the bones no more than the main surfaces?
-  bool inside_ = true;     // are they more than surfaces alone?
+  bool main_only_ = true;  // are the main bones no more than the main surfaces?
+  bool inside_ = true;     // false for surfaces alone
   std::unique_ptr<const Radial> radial_;
 };
 

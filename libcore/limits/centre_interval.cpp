@@ -18,19 +18,19 @@
 namespace impinge {
 namespace {
 
-constexpr double kCertainMargin = 1e-9;         // of the radius: of lengths in the upper end
-constexpr double kFirstStep = 0.1;              // degrees past a limit, where the upper end is looked for
-constexpr double kLonger = 1.2599210498948732;  // than the step before: a vertex soon comes out
+constexpr double kCertainMargin = 1e-9;  // share of a length that allows for rounding in the upper end
+constexpr double kFirstStep = 0.1;       // degrees behind the limit, where the upper end is tried first
+constexpr double kLonger = 1.2599210498948732;  // growth of the steps; a deep vertex soon comes out again
 constexpr int kHalvings = 5;                    // of the last step
-constexpr std::size_t kMostVertices = 40;       // that are tried in a pose, deepest first
-constexpr double kNear = 5.0;                   // mm, of a contact: the vertices that are tried
+constexpr std::size_t kMostVertices = 40;       // tried in a pose, the deepest first
+constexpr double kNear = 5.0;                   // mm: vertices as near to the contact are tried
 
 Pose pose_of(const JointTurn& turn, double angle_deg) {
   const Eigen::AngleAxisd about(angle_deg * kDegree, turn.axis);
   return {turn.outer * about.toRotationMatrix() * turn.inner, Vec3::Zero()};
 }
 
-// The least of a sinusoid in a span of angles.
+// The least value of a sinusoid in a span of angles.
 double least_in(const Sinusoid& f, const AngleSpan& span) {
   const auto at = [&](double t) { return f.cosine * std::cos(t) + f.sine * std::sin(t) + f.constant; };
   double lowest = std::atan2(-f.sine, -f.cosine);
@@ -39,7 +39,7 @@ double least_in(const Sinusoid& f, const AngleSpan& span) {
   return std::min(at(span.from), at(span.to));
 }
 
-// The smallest angle between a direction and the arc over an edge.
+// The least angle, radians, between unit u and the arc from a to b that the centre sees.
 double angle_to_arc(const Vec3& u, const Vec3& a, const Vec3& b) {
   const Vec3 across = a.cross(b);
   const double ends = std::min(angle_between(u, a), angle_between(u, b));
@@ -47,7 +47,7 @@ double angle_to_arc(const Vec3& u, const Vec3& a, const Vec3& b) {
   return beside ? std::min(ends, std::asin(std::min(1.0, std::abs(across.dot(u)) / across.norm()))) : ends;
 }
 
-// Does no jump edge come that near the direction of x?
+// Is every jump edge farther than `angle`, radians, from the direction of x?
 bool clear_of_jumps(const TriangleMesh& mesh, const std::vector<JumpEdge>& jumps, const Vec3& x,
                     double angle) {
   const Vec3 u = x.stableNormalized();
@@ -56,14 +56,15 @@ bool clear_of_jumps(const TriangleMesh& mesh, const std::vector<JumpEdge>& jumps
   });
 }
 
-// The shift of the ball over r, as a bound for spans of the angle of a turn.
+// The trace of the rotation R as a function of the angle. A common centre shifts the ball by at most
+// r root(3 - tr R).
 Sinusoid trace_of(const JointTurn& turn) {
   const Eigen::Matrix3d upright = rotation_to_z(turn.axis);
   const Eigen::Matrix3d m = upright * turn.inner * turn.outer * upright.transpose();
   return {m(0, 0) + m(1, 1), m(0, 1) - m(1, 0), m(2, 2)};
 }
 
-// Sides of one face, or of three: round any other edge a way crosses an even number of faces.
+// Edges of an odd number of faces. Round any other edge a way crosses an even number of faces.
 std::vector<Edge> border_of(const TriangleMesh& mesh) {
   std::vector<Edge> border;
   for_each_edge(mesh, [&](std::span<const HalfEdge> half_edges) {
@@ -135,8 +136,8 @@ double CentreIntervals::low_deg(const JointTurn& turn, double to_deg) const {
   return std::min(first / kDegree, to_deg);
 }
 
-// Layers of the other surface that a vertex of the ball at x is beyond, or one of the socket within; none
-// where its ray meets a side of a face, which would count twice.
+// How many faces of the other surface a vertex of the ball at x is beyond, or a vertex of the socket within,
+// on its ray; none where the ray meets a side of a face, which would count twice.
 std::optional<int> CentreIntervals::layers_passed(const ScannedVertex& at, const Vec3& x) const {
   const NearFaces& faces = joint_.faces(other(at.scanned));
   int passed = 0;
@@ -151,7 +152,9 @@ std::optional<int> CentreIntervals::layers_passed(const ScannedVertex& at, const
   return on_side ? std::nullopt : std::optional(passed);
 }
 
-// See the header.
+// Case (iii) of the theorem that the header names. Up to way.free_deg the vertex crosses nothing. From there
+// on, as long as no jump edge comes into its direction, each crossing changes layers_passed() by one, which
+// counts the crossings.
 bool CentreIntervals::has_crossed(const Way& way, const ScannedVertex& at) const {
   constexpr double kStep = 0.25;    // degrees, along the way
   constexpr double kBeside = 1e-9;  // radians
@@ -183,14 +186,14 @@ bool CentreIntervals::has_crossed(const Way& way, const ScannedVertex& at) const
   return true;
 }
 
-// On all of the way.
+// The largest shift on all of the way, mm.
 double CentreIntervals::most_shift(const Way& way) const {
   if (question_.doubt == CentreDoubt::play) return question_.within_mm;
   const double least = least_in(trace_of(way.turn), {0.0, way.angle_deg * kDegree});
   return question_.within_mm * std::sqrt(std::max(0.0, 3.0 - least));
 }
 
-// Of a threshold. x is the vertex in the frame of the other surface.
+// Case (v) of the theorem that the header names, for one vertex; x is its place in the other surface's frame.
 bool CentreIntervals::is_certain(const Way& way, const ScannedVertex& at) const {
   const bool of_ball = at.scanned == Surface::ball;
   const Side& facing = of_ball ? socket_ : ball_;
@@ -227,7 +230,7 @@ bool CentreIntervals::gap_always(const Way& way) const {
   return std::ranges::any_of(deep, [&](const auto& at) { return is_certain(way, at.second); });
 }
 
-// Vertices near where bodies first touched are asked, and of a sheet the deepest one.
+// Asks the vertices near the first contact and, if the main bones have no inside, the deepest one.
 bool CentreIntervals::contact_always(const Way& way, const NearContact& near) const {
   const double certain = way.shift_mm * (1.0 + kCertainMargin) + kCertainMargin;
   const auto inside = [&](const BodyPairs::Vertex& at) {

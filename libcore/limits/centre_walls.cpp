@@ -12,15 +12,15 @@
 namespace impinge {
 namespace {
 
-constexpr double kShell = 1.15;          // of k, from one end of a shell to the other
-constexpr double kInmost = 0.05;         // of an edge: the shell from there to the centre is one
-constexpr double kEdgeRounding = 1e-12;  // of the farther end: that of the distance of an edge is far below
+constexpr double kShell = 1.15;          // ratio of the two k of a shell
+constexpr double kInmost = 0.05;         // the walls within are one shell from this k to the centre
+constexpr double kEdgeRounding = 1e-12;  // share of the farther end, above what rounding does to a distance
 
-// Of |b - a| |c - a| (|a| + r), of the height of a point above the plane of a face, times the length of its
-// normal: 12 roundings, and as many of r times that length.
+// Rounding of n . a and of r |n|, n = (b - a) x (c - a), as a share of |b - a| |c - a| (|a| + r): 12
+// roundings each. centre_walls.gappa.
 constexpr double kHeightRounding = 24.0 * 0x1p-53;
 
-// The side of the plane of a face that every such centre is on; 0 where they are on both.
+// On which side of the face's plane are all centres within r, 1 or -1? 0 if they are on both.
 int certain_side(const TriangleMesh& mesh, const Face& face, double r) {
   const Vec3& a = corner(mesh, face, 0);
   const Vec3 normal = area_vector(mesh, face);
@@ -35,7 +35,7 @@ struct ScaledEdge {
   const Vec3& a;
   const Vec3& b;
 
-  // Between k and l times the edge.
+  // Adds the wall between k and l times the edge.
   void add(double k, double l, double doubt, std::vector<TurnFace>& faces) const {
     for (const auto& [x, y, z] : {std::array<Vec3, 3>{k * a, k * b, l * b}, {k * a, l * b, l * a}}) {
       faces.push_back(turn_face(x, y, z));
@@ -44,22 +44,22 @@ struct ScaledEdge {
   }
 };
 
-// Two points meet if |p - k y| <= moved + (k - 1) r.
+// Adds the walls beyond an edge: a point p meets one at k y only if |p - k y| <= moved + (k - 1) r.
 void add_beyond(const ScaledEdge& edge, double nearest, double farthest, const WallQuestion& walls,
                 std::vector<TurnFace>& faces) {
-  const double moved = 2.0 * walls.r + walls.gap;  // the most
+  const double moved = 2.0 * walls.r + walls.gap;  // the largest shift, and the threshold
   const double from = std::max(1.0, (walls.nearest - moved + walls.r) / (farthest + walls.r));
-  // k |y| <= |p| + moved + (k - 1) r; nothing is known of an edge that may pass the centre.
+  // So k |y| <= |p| + moved + (k - 1) r. For an edge that may pass the centre k has no bound.
   const double left = nearest - walls.r - kEdgeRounding * farthest;
   const double to = left > 0.0 ? (walls.farthest + moved) / left : HUGE_VAL;
   if (!std::isfinite(to)) return edge.add(0.0, 1.0, 4.0 * (farthest + walls.farthest), faces);
   for (double k = from; k < to; k *= kShell) edge.add(k, kShell * k, (kShell * k - 1.0) * walls.r, faces);
 }
 
-// Two points meet if |p - k x| <= k moved + (1 - k) r.
+// Adds the walls within an edge: a point p meets one at k x only if |p - k x| <= k moved + (1 - k) r.
 void add_within(const ScaledEdge& edge, double nearest, double farthest, const WallQuestion& walls,
                 std::vector<TurnFace>& faces) {
-  const double moved = 3.0 * walls.r + walls.gap;  // the most
+  const double moved = 3.0 * walls.r + walls.gap;  // no less than both terms, with the threshold
   const double low = (walls.nearest - moved) / farthest;
   for (double k = std::min(1.0, (walls.farthest + moved) / nearest); k > std::max(low, 0.0);) {
     const double next = k < kInmost ? 0.0 : k / kShell;

@@ -12,14 +12,14 @@
 namespace impinge {
 namespace {
 
-constexpr double kTurnScale = 1 << 30;      // length of half angles
-constexpr double kWidestArc = 120.0;        // degrees
-constexpr double kNarrowestArc = 1e-3;      // degrees
-constexpr double kGoodCut = 0.75;           // share of the pairs that a cut leaves, else the arc is halved
-constexpr std::size_t kMostCuts = 100'000;  // more nobody checks
-constexpr double kFewPairs = 256;           // of which each is looked at for a crossing
+constexpr double kTurnScale = 1 << 30;  // length of half angles
+constexpr double kWidestArc = 120.0;    // degrees
+constexpr double kNarrowestArc = 1e-3;  // degrees
+constexpr double kGoodCut = 0.75;       // a cut that leaves a larger share of the pairs: the arc is halved
+constexpr std::size_t kMostCuts = 100'000;  // a longer proof is not worth checking
+constexpr double kFewPairs = 256;           // up to so many pairs, each is tested for a crossing
 
-// Makes the tree, first parts first.
+// Makes the tree depth first, first children first.
 class Divider {
  public:
   Divider(const UncertainMesh& ball, const UncertainMesh& socket, const CutMotion& motion)
@@ -41,11 +41,11 @@ class Divider {
  private:
   struct Node {
     CutArc arc;
-    std::shared_ptr<const CutFaces> ball;  // during the arc
-    CutNode faces;                         // places in these
+    std::shared_ptr<const CutFaces> ball;  // faces of the ball during the arc
+    CutNode faces;                         // indices into these, and into the socket's
   };
 
-  // Faces of the ball by their places in the mesh.
+  // Indices, in the mesh, of the node's faces of the ball.
   void add_arc(const CutArc& arc, CutNode faces) {
     auto ball = std::make_shared<const CutFaces>(ball_faces(ball_, faces.ball, motion_, arc));
     std::iota(faces.ball.begin(), faces.ball.end(), 0U);

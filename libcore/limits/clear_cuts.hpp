@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Space, and a motion with it, divided until no part has faces of both bodies: a proof that they do not meet.
+// A proof that two surfaces do not meet in a pose or in a turn: space, and the arc of the turn, are divided
+// until no part has faces of both. Theorem 18 (certificate).
 //
-// The proof is a tree of cuts. Each node has faces of the ball, faces of the socket and an arc of the motion,
-// and says that no two of them meet in it; the root has all. A cut makes two nodes of one, so that a pair of
-// faces that meet would be in one of both: the point where they meet lies on one side of a plane or of a
-// sphere, and its angle in one part of the arc. Where one body has no face left nothing is to be proven.
-// There is such a tree if no two faces meet: a plane between two of them leaves each in one part alone.
+// The proof is a tree of cuts. Each node has faces of the ball, faces of the socket and an arc, and says that
+// no two of these faces meet in it; the root has all. A cut by a plane, a sphere about the centre, or an
+// angle of the arc makes two nodes of one. Where one body has no face left nothing remains to be proven.
 //
-// While the ball turns by an arc of 2 delta < 180 degrees a point of it stays in the triangle of its two ends
-// and of the place where their tangents meet, 1 / cos(delta) as far from the axis as they are. So a face is
-// on one side of a plane during all of the arc if its three corners are at these three places: a plane needs
-// no bound on a movement. A sphere about the centre sees the ball at rest. All of a face with corners a, b, c
-// is at least as far from the centre as the root of min(a.a, b.b, c.c) - L^2 / 3 with L its longest side,
-// since |sum w_k x_k|^2 = sum w_k |x_k|^2 - sum_{j<k} w_j w_k |x_j - x_k|^2, and the last weights add up to
-// 1/3 at most. Theorem 18 (certificate).
-//
-// What is computed in doubles has to hold for slightly different numbers: those of the files, before reading
-// rounded them. Each face counts for both sides where it is nearer to a plane or a sphere than that.
+// The proof has to hold for the numbers of the files, which reading rounded: a face that is nearer to a plane
+// or a sphere than this rounding counts on both sides.
 #pragma once
 
 #include <array>
@@ -30,18 +21,19 @@ namespace impinge {
 
 inline constexpr std::int64_t kCutUnit = 1 << 10;  // distances of cuts are whole numbers of 1 / kCutUnit mm
 
-/// The cosine and sine of half an angle from 0 to below 360 degrees, times any whole number above 0.
+/// The cosine and the sine of half an angle from 0 to below 360 degrees, scaled to whole numbers.
 using HalfAngle = std::array<std::int64_t, 2>;
-HalfAngle half_angle(double degrees);  // the nearest of length about 2^30
-double degrees_of(const HalfAngle& half);
+HalfAngle half_angle(double degrees);      // the nearest one of length about 2^30
+double degrees_of(const HalfAngle& half);  // the whole angle
 
-/// A node of the tree; its first part follows it in the list, and then its second part.
+/// A node of the tree. In the list its first child follows with all of that child's tree, then its second
+/// child.
 struct ClearCut {
   enum class Kind : std::uint8_t {
-    none,    // one body has no face here
-    plane,   // along . x <= at / kCutUnit, and >= ; the socket's frame, about the centre
-    sphere,  // |x| <= at / kCutUnit, and >=
-    turn,    // the arc up to the half angle (along[0], along[1]), and from it
+    none,    // no cut: one body has no face here
+    plane,   // first child: along . x <= at / kCutUnit, second: >= ; mm, socket's frame about the centre
+    sphere,  // first child: |x| <= at / kCutUnit, second: >=
+    turn,    // first child: the arc up to the half angle (along[0], along[1]), second: from there on
   };
   Kind kind = Kind::none;
   std::array<std::int64_t, 3> along{};
@@ -51,7 +43,7 @@ struct ClearCut {
 /// A surface about the centre, mm.
 struct UncertainMesh {
   TriangleMesh mesh;
-  double off_mm = 0.0;  // no point is farther than this from the true one
+  double off_mm = 0.0;  // no vertex is farther than this from its true place
 };
 
 /// Poses x -> outer R(axis, a) inner x + shift of the ball, a from 0 to `last`.
@@ -60,15 +52,15 @@ struct CutMotion {
   Vec3 axis = Vec3::UnitX();
   Eigen::Matrix3d inner = Eigen::Matrix3d::Identity();
   Vec3 shift = Vec3::Zero();  // mm
-  HalfAngle last{1, 0};       // of a pose: 0
+  HalfAngle last{1, 0};       // the angle 0 for a pose
 };
 
-/// The tree, or why there is none: no cuts then.
+/// The tree; or, where `cuts` is empty, why there is none.
 struct CutAnswer {
   std::vector<ClearCut> cuts;
-  /// In a pose: a face of the ball and one of the socket that cross, beyond doubt.
+  /// In a pose: indices of a face of the ball and one of the socket that certainly cross.
   std::optional<std::array<std::uint32_t, 2>> crossing;
-  /// Else: where, and at which angle, the surfaces are too near to each other to be told apart.
+  /// Else: where, and at which angle, the surfaces are too near to decide whether they meet.
   struct Open {
     Vec3 place;      // mm, socket's frame, about the centre
     double degrees;  // from the start
@@ -76,7 +68,8 @@ struct CutAnswer {
   std::optional<Open> open;
 };
 
-/// Divides until every node is proven, a crossing is found (of a pose alone) or the finest nodes are reached.
+/// Divides until every node is proven, a crossing is found (of a pose only) or a node is too fine to be
+/// divided.
 CutAnswer clear_cuts(const UncertainMesh& ball, const UncertainMesh& socket, const CutMotion& motion);
 
 }  // namespace impinge

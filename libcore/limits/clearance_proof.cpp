@@ -11,9 +11,9 @@
 namespace impinge {
 namespace {
 
-constexpr double kTurnLength = 1 << 30;  // of quaternions
-constexpr double kReadingOff = 4e-7;     // of the largest coordinate: sqrt(3) * 2e-7 (mesh/io.hpp), and some
-constexpr double kCentreOff = 1e-8;      // mm: nine decimals of the centre, and the rounding of doubles
+constexpr double kTurnLength = 1 << 30;  // length of quaternions
+constexpr double kReadingOff = 4e-7;  // share of the largest coordinate, above sqrt(3) * 2e-7 (mesh/io.hpp)
+constexpr double kCentreOff = 1e-8;   // mm, above the rounding of the centre to nine decimals and of doubles
 
 double to_nine_decimals(double x) { return std::round(x * 1e9) / 1e9; }
 
@@ -36,7 +36,8 @@ CutMotion motion_of(const ClearanceProof& proof) {
   return {rotation_of(proof.outer), axis, rotation_of(proof.inner), proof.shift, proof.last};
 }
 
-// At the start of what the cuts are clear for. That a ball reaches beyond a sheet is no meeting of surfaces.
+// No surfaces meet: is nothing inside at the start of the motion? Radii that overlap at a sheet do not count
+// here.
 ClearanceProof::Says with_insides(const BodyPairs& bodies, const CutMotion& motion) {
   const BodyPairs::Verdict found = bodies.verdict({motion.outer * motion.inner, motion.shift});
   if (found.contact == Contact::no || (found.contact == Contact::yes && found.rule == ContactRule::radii))

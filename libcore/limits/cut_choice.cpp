@@ -14,23 +14,23 @@ namespace impinge {
 namespace {
 
 constexpr auto kUnit = static_cast<double>(kCutUnit);
-constexpr std::size_t kSample = 256;    // faces of a body that choose a direction
-constexpr double kNormalLength = 1024;  // of planes, in whole numbers
-constexpr double kClosePairs = 64;      // of which each is looked at
+constexpr std::size_t kSample = 256;    // so many faces of a body choose the direction of a plane
+constexpr double kNormalLength = 1024;  // length of a plane's normal in whole numbers
+constexpr double kClosePairs = 64;      // up to so many pairs, the nearest one is found
 
-// Ranges along one direction of the faces of both bodies.
+// The range of each face along one direction.
 struct CutRanges {
   std::vector<CutRange> ball;
   std::vector<CutRange> socket;
 };
 
-// How many pairs are left, and where to cut for that.
+// A place for a cut, and how many pairs of faces it leaves.
 struct CutScore {
   double pairs = kInfinity;
   double at = 0.0;
 };
 
-// Ends of ranges in order, and how many of them a place has passed.
+// Ends of ranges in rising order, and how many of them are at or below the present place.
 struct PassedEnds {
   PassedEnds(const std::vector<CutRange>& ranges, double CutRange::*end) {
     for (const CutRange& range : ranges) ends.push_back(range.*end);
@@ -43,7 +43,7 @@ struct PassedEnds {
   std::size_t passed = 0;
 };
 
-// Between two neighbours of all the ends: the best of these places.
+// The best of the places midway between neighbouring ends of ranges.
 CutScore best_place(const CutRanges& ranges) {
   std::array<PassedEnds, 4> ends{
       PassedEnds{ranges.ball, &CutRange::low}, PassedEnds{ranges.ball, &CutRange::high},
@@ -65,7 +65,7 @@ CutScore best_place(const CutRanges& ranges) {
   return best;
 }
 
-// Every so manieth, so that there are few.
+// At most kSample of the faces, evenly spaced.
 std::vector<std::uint32_t> sample(const std::vector<std::uint32_t>& all) {
   if (all.size() <= kSample) return all;
   std::vector<std::uint32_t> some;
@@ -93,7 +93,7 @@ std::vector<CutRange> ranges_out(const CutFaces& of, const std::vector<std::uint
   return ranges;
 }
 
-// The places on either side.
+// Sorts the faces to the sides of a cut; a face that reaches both sides goes to both.
 void divide(const std::vector<std::uint32_t>& faces, const std::vector<CutRange>& ranges, double at,
             std::vector<std::uint32_t>& first, std::vector<std::uint32_t>& second) {
   for (std::size_t k = 0; k < faces.size(); ++k) {
@@ -135,7 +135,7 @@ std::array<Vec3, 3> last_images(const CutFaces& of, std::uint32_t k) {
   return {x[step - 1], x[2 * step - 1], x[3 * step - 1]};
 }
 
-// Across the gap of the two faces that are nearest to each other.
+// The direction across the gap between the two faces that are nearest to each other, if there are few pairs.
 std::optional<Vec3> nearest_across(const CutFaces& ball, const CutFaces& socket, const CutNode& node) {
   if (node.pairs() > kClosePairs) return std::nullopt;
   CutGap least{Vec3::UnitX(), kInfinity};
@@ -166,7 +166,7 @@ std::vector<Vec3> directions_for(const CutFaces& ball, const CutFaces& socket, c
   return directions;
 }
 
-// One direction after the other, with what it is worth.
+// Tries directions and keeps the best one, with how many pairs it leaves.
 struct BestDirection {
   const CutFaces& ball;
   const CutFaces& socket;
@@ -183,7 +183,7 @@ struct BestDirection {
     pairs = score.pairs;
     direction = unit;
   }
-  // Turns it a little, to either side of two others.
+  // Tries the best direction turned a little towards each of two others, and away from it.
   void improve() {
     for (double by = 0.25; by > 0.01 && pairs > 0.0; by *= 0.5) {
       const Vec3 u = direction.unitOrthogonal();
@@ -203,7 +203,7 @@ std::array<std::int64_t, 3> whole(const Vec3& direction) {
   return n;
 }
 
-// Cut across the direction, at the best place for these.
+// A plane across the direction, at the best place for these ranges.
 CutChoice cut_across(const CutFaces& ball, const CutFaces& socket, const CutNode& node,
                      const CutNode& best_for, const Vec3& direction) {
   const auto normal = whole(direction);

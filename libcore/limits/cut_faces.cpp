@@ -11,8 +11,7 @@
 namespace impinge {
 namespace {
 
-constexpr double kRounding =
-    1e-12;  // of doubles, as a share of the largest coordinate, with a factor to spare
+constexpr double kRounding = 1e-12;  // share of the largest coordinate, above the rounding of doubles here
 
 CutRange radius_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
@@ -20,7 +19,7 @@ CutRange radius_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {std::sqrt(std::max(0.0, least - longest / 3.0)), std::sqrt(most)};
 }
 
-// Where the motion takes points, and the places where the tangents of the arc meet.
+// Adds where the arc takes a point: its places at both ends, and where the tangents of its circle there meet.
 struct ArcEnds {
   ArcEnds(const CutMotion& motion, const CutArc& arc)
       : from(at(motion, arc.from)),
@@ -112,7 +111,7 @@ CutGap widest_gap(std::span<const Vec3> a, std::span<const Vec3> b) {
 
 namespace {
 
-// Does a segment pass through a triangle, farther than `off` from all that would change that?
+// Does the segment from p to q pass through the triangle, even if all points are wrong by up to `off`?
 bool passes(const Vec3& p, const Vec3& q, std::span<const Vec3> face, double off) {
   const Vec3 normal = (face[1] - face[0]).cross(face[2] - face[0]);
   const double length = normal.norm();

@@ -9,15 +9,15 @@
 namespace impinge {
 namespace {
 
-constexpr double kOnArc = 1e-12;  // of products of lengths
-constexpr double kBehind = 1e-9;  // radians past a border, where coverage is asked for
+constexpr double kOnArc = 1e-12;  // share of a product of lengths that allows for rounding
+constexpr double kBehind = 1e-9;  // radians behind a border, where covered() is asked
 
 // A border edge as the centre sees it: an arc of a great circle.
 struct Arc {
   Vec3 from;  // unit vectors
   Vec3 to;
   Vec3 across;
-  double z_low, z_high;  // heights of its points; of a chord they are those of its ends
+  double z_low, z_high;  // least and largest height of its points
 };
 
 Arc arc_of(const Vec3& a, const Vec3& b) {
@@ -29,7 +29,7 @@ Arc arc_of(const Vec3& a, const Vec3& b) {
           std::max(high, high / nearest) + kOnArc};
 }
 
-// Adds the angles up to `largest` at which the arc, as it turns, passes the direction y.
+// Adds the angles up to `largest` at which the turning arc passes the direction y.
 void add_passes(const Arc& arc, const Vec3& y, double largest, std::vector<double>& angles) {
   const double bound = kOnArc * std::max(arc.across.norm(), kOnArc);
   for (const AngleSpan& span : near_zero(turned_dot(arc.across, y), bound)) {

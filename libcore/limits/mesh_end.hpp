@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the mesh of the ball ends: a scan that holds a cap of bone or a sheet of cartilage says nothing of
-// what lies beyond its border.
+// At which angle of a turn does a point of the socket pass the border of the ball's mesh? A scan that holds a
+// cap of bone or a sheet of cartilage says nothing of what lies beyond its border.
 #pragma once
 
 #include <functional>
@@ -16,14 +16,14 @@ namespace impinge {
 /// A ball that turns over points of a socket at rest, all in the frame whose +z is the axis, mm.
 struct MeshEnd {
   std::vector<Vec3> ball;    // its vertices
-  std::vector<Edge> border;  // its jump edges (mesh/jump_edges.hpp): of a rim, or of a shell that turns back
-  std::vector<Vec3> socket;  // points whose directions are asked for
+  std::vector<Edge> border;  // its jump edges (mesh/jump_edges.hpp), at a rim or where a shell turns back
+  std::vector<Vec3> socket;  // points whose rays are followed
   /// Does the ray through that socket point meet the ball when it has turned by `angle` radians?
   std::function<bool(std::size_t point, double angle)> covered;
 };
 
-/// The first angle up to `largest`, radians, at which a point that was covered at the start passes a border
-/// of the ball and is not covered behind it; to rounding, about 1e-9.
+/// The first angle up to `largest`, radians, at which a point that was covered at the start passes the border
+/// and is not covered 1e-9 rad later; none if there is none.
 std::optional<double> first_beyond(const MeshEnd& end, double largest);
 
 }  // namespace impinge

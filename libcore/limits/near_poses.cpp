@@ -16,11 +16,11 @@
 namespace impinge {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of lengths
-constexpr double kSquared = 1e-13;  // of squares of lengths
-constexpr double kTouches = 1e-6;   // of the radius of a ball
-constexpr double kLeastArm = 0.1;   // mm, of a length that a turn makes up for
-constexpr int kMostShrinks = 30;    // of a ball
+constexpr double kRounding = 1e-9;  // share of a length
+constexpr double kSquared = 1e-13;  // share of the square of a length
+constexpr double kTouches = 1e-6;   // share of a ball's radius by which it may reach beyond the surface
+constexpr double kLeastArm = 0.1;   // mm, added to an arm that a distance is divided by
+constexpr int kMostShrinks = 30;    // of one ball
 
 double farthest(const TurnFace& face) {
   return std::sqrt(
@@ -65,7 +65,7 @@ double NearBodies::most_along(const Vec3& n, const Vec3& p) const {
   return across * cosine_ <= along * sine_ ? p.norm() : along * cosine_ + across * sine_;
 }
 
-// Are they apart, in all of the poses, on either side of a plane across unit n?
+// Does a plane across unit n keep the two faces apart in all of the poses?
 bool NearBodies::apart_along(const Vec3& n, const TurnFace& moved, const TurnFace& face) const {
   const double low = std::min({n.dot(face.corner[0]), n.dot(face.corner[1]), n.dot(face.corner[2])});
   const double slack = more_ + kRounding * (farthest(moved) + farthest(face));
@@ -74,8 +74,8 @@ bool NearBodies::apart_along(const Vec3& n, const TurnFace& moved, const TurnFac
   return true;
 }
 
-// Across which a plane may keep them apart: their normals, and from the middle of one to that of the other,
-// when a turn has brought them as near as it can.
+// Directions across which a plane may keep the faces apart: both normals, and the line between their middles
+// after a turn that brings these as near as it can.
 std::array<Vec3, 3> NearBodies::ways(const TurnFace& moved, const TurnFace& face) const {
   const Vec3 middle = (moved.corner[0] + moved.corner[1] + moved.corner[2]) / 3.0;
   const Vec3 to = (face.corner[0] + face.corner[1] + face.corner[2]) / 3.0 - middle;
@@ -98,7 +98,8 @@ bool NearBodies::apart(const TurnFace& moved, const TurnFace& face) const {
   return farther_than(moved, face, reach) && !faces_meet(moved.corner, face.corner);
 }
 
-// meet(face of the ball, face of the socket) for those that may be as near as the gap, until it is true.
+// Calls meet(face of the ball, that face turned by R, face of the socket) for pairs that may come as near as
+// the gap, until it is true; returns whether it was.
 template <class Meet>
 bool NearBodies::any_close(const SweptParts& ball, const SweptParts& socket, const Told& told,
                            const Meet& meet) const {
@@ -135,7 +136,7 @@ bool NearBodies::find_close(const SweptParts& ball, const SweptParts& socket, co
         for (const Vec3& x : moved.corner) most_of_ball = std::max(most_of_ball, n.dot(x));
         for (const Vec3& y : face.corner) least = std::min(least, n.dot(y));
         least -= more_;
-        // As an angle of a turn that makes up for it.
+        // As the angle of a turn that closes this distance.
         const double apart = (least - most_of_ball) / (n.cross(moved.corner[0]).norm() + kLeastArm);
         if (apart <= best) continue;
         best = apart;
@@ -148,8 +149,8 @@ bool NearBodies::find_close(const SweptParts& ball, const SweptParts& socket, co
   });
 }
 
-// take(points) for points of faces and inner balls until it is true. Of nodes, far(p, y, reach) tells that a
-// point that R takes to p and y are not wanted, though they may be as near as that.
+// Calls take(points) for a point of each face and each inner ball until it is true; returns whether it was.
+// Nodes with the centres p, as R turns it, and y are left out where far(p, y, reach).
 template <class Far, class Take>
 bool NearBodies::any_within_reach(const BodyTrees& ball, const BodyTrees& socket, const Far& far,
                                   const Take& take) const {
@@ -222,7 +223,7 @@ std::vector<WithinReach> NearBodies::deepest(const BodyTrees& ball, const BodyTr
 
 namespace {
 
-// A point of a face that is nearest to x, if one is nearer than that.
+// The point of the faces that is nearest to x, if it is nearer than `within`.
 std::optional<Vec3> nearest_within(const SweptParts& faces, const Vec3& x, double within) {
   std::optional<Vec3> found;
   std::vector<std::uint32_t> pending{0};
@@ -247,14 +248,14 @@ std::optional<Vec3> nearest_within(const SweptParts& faces, const Vec3& x, doubl
   return found;
 }
 
-// A ball and where it touches the surface, from which it was found.
+// A ball that touches a surface.
 struct TouchingBall {
-  Vec3 at;
+  Vec3 at;  // where it touches
   Vec3 centre;
   double radius;  // mm
 };
 
-// Balls that touch a surface and hold no point of it.
+// Finds balls that touch a surface and hold no point of it, up to kTouches.
 class TouchingBalls {
  public:
   explicit TouchingBalls(const SweptParts& faces) : faces_(faces) {
@@ -262,7 +263,7 @@ class TouchingBalls {
     for (std::size_t f = 0; f < faces.parts().size(); f += step) some_.push_back(faces.parts()[f].corner[0]);
   }
 
-  // The largest at v on that side.
+  // The largest ball that touches at v and lies on the side of the unit normal `side`.
   TouchingBall at(const Vec3& v, const Vec3& side) const {
     TouchingBall ball{v, v, faces_.nodes()[0].radius};
     for (const Vec3& y : some_) shrink(ball, side, y);
@@ -286,7 +287,7 @@ class TouchingBalls {
   std::vector<Vec3> some_;
 };
 
-// Does it touch where one of these is as near as that?
+// Is the place within `near` of one of these balls?
 template <class Balls>
 bool is_near(const Vec3& at, const Balls& balls, double near) {
   return std::any_of(balls.begin(), balls.end(), [&](const TouchingBall& ball) {
@@ -295,7 +296,8 @@ bool is_near(const Vec3& at, const Balls& balls, double near) {
   });
 }
 
-// Some of the balls, the largest first, so that all the others are near these.
+// Keeps so many of the balls, the largest first, that each other one touches the surface within `near` of a
+// kept one.
 SweptParts covering(std::span<const TouchingBall> balls, double near) {
   std::vector<TouchingBall> kept;
   std::vector<TurnFace> points;
@@ -317,7 +319,7 @@ InnerBalls::InnerBalls(const SweptParts& faces, const BodyInside& inside) {
   const double finest = kNear.back() * size;
   std::vector<TouchingBall> balls;
   const auto measured = [&](const Vec3& v, const Vec3& c) -> std::optional<TouchingBall> {
-    if (!is_near(c, balls, 0.0) && !inside.holds(c)) return std::nullopt;  // what is in a ball is inside
+    if (!is_near(c, balls, 0.0) && !inside.holds(c)) return std::nullopt;  // a point of a ball is inside
     const auto nearest = nearest_within(faces, c, HUGE_VAL);
     TouchingBall ball{v, c, std::min((*nearest - c).norm(), inside.to_opening(c))};
     faces.visit_near(c, ball.radius, [&](std::uint32_t f) {
@@ -328,7 +330,7 @@ InnerBalls::InnerBalls(const SweptParts& faces, const BodyInside& inside) {
   };
   const auto take = [&](const Vec3& v, const Vec3& side) {
     if (!inside.holds) return false;
-    // A little below the surface, whose faces are not quite as smooth as balls.
+    // Starts a little below the surface: beside v the faces may be bent towards the ball.
     const TouchingBall touches = touching.at(v + 0.5 * finest * side, side);
     const auto ball = touches.radius > finest ? measured(v, touches.centre) : std::nullopt;
     if (ball && ball->radius > finest) balls.push_back(*ball);
@@ -348,7 +350,7 @@ InnerBalls::InnerBalls(const SweptParts& faces, const BodyInside& inside) {
   if (balls.empty()) balls = std::move(bare);
   std::stable_sort(balls.begin(), balls.end(),
                    [](const TouchingBall& a, const TouchingBall& b) { return a.radius > b.radius; });
-  // No rotation moves the one about the centre: first, so that every level has it.
+  // No rotation moves the ball about the centre. It comes first, so that every level has it.
   const auto still = inside.holds ? measured(Vec3::Zero(), Vec3::Zero()) : std::nullopt;
   if (still && still->radius > finest)
     balls.insert(balls.begin(),

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All poses near one: how near parts of two bodies come in them, and what stays within a body in all of them.
+// All poses near one rotation: how near do parts of two bodies come in them, and what stays inside a body in
+// all of them? A shift of the ball and a gap that counts as contact are allowed for. Theorem 14 (volume).
 //
-// A rotation within rho of R takes a point that R takes to p into the cap of radius rho about p, at |p| from
-// the origin. With t the angle from p to y, its distance from y is at least and at most
-//   sqrt(|p|^2 + |y|^2 - 2 |p| |y| cos t'),   t' = max(0, t - rho), min(pi, t + rho),
-// and along a unit n it comes to |p| cos max(0, angle(n, p) - rho) at most. A shift adds its length. A sphere
-// goes with its centre, so that this holds of all it contains. Where p slides along y as a head in its socket
-// does, that is of second order in rho; |p| rho, the way of p, is not. Theorem 14 (volume).
-//
-// Inner balls: spheres that have nothing but a body inside, such as the largest that touch its surface from
-// within. A point of another body that stays in one of them is inside in all of these poses.
+// Inner balls are spheres that hold nothing but the inside of a body, such as the largest ones that touch its
+// surface from within. A point of another body that stays in one of them is inside in all of the poses.
 #pragma once
 
 #include <array>
@@ -28,57 +22,57 @@ namespace impinge {
 /// All poses near a rotation of the ball.
 struct NearPoses {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  double turn = 0.0;      // radians, the largest turn away from it
+  double turn = 0.0;      // radians, the largest turn away from `rotation`
   double shift_mm = 0.0;  // the largest shift of the ball
-  double gap_mm = 0.0;    // a distance as small as that from a part counts as contact
+  double gap_mm = 0.0;    // a part as near as this counts as in contact
 };
 
-/// Points of both bodies, each in its frame, mm: they are in contact where a rotation takes them no farther
-/// apart than `reach`.
+/// A point of each body, in the body's own frame, mm. The bodies are in contact in every rotation that brings
+/// the points to within `reach` of each other.
 struct WithinReach {
   Vec3 of_ball;
   Vec3 of_socket;
   double reach;  // mm
 };
 
-/// A face of the ball, as it lies at rest, and unit n across which it is on one side of a plane in the
-/// rotation that was asked about, and a face y of the socket on the other: n . R x < least <= n . y, less the
-/// gap.
+/// A face of the ball and a face of the socket that a plane keeps apart in the middle pose R. All points x of
+/// the ball's face have n . R x < least, all y of the socket's n . y >= least plus the gap.
 struct ClosePair {
-  Triangle of_ball;
-  Vec3 normal;
-  double least;  // mm
+  Triangle of_ball;  // as the ball lies at rest, mm
+  Vec3 normal;       // unit n, socket's frame
+  double least;      // mm
 };
 
-/// A body: its faces, and inner balls of it (below).
+/// A body: its faces, and its inner balls (below).
 struct BodyTrees {
   const SweptParts& faces;  // borrowed
   const SweptParts& inner;  // borrowed
 };
 
-/// Of two bodies: `ball` turns by the rotations, `socket` rests. Trees in their frames, mm.
+/// Answers for two bodies: `ball` turns, `socket` rests. Each tree is in its body's frame, mm.
 class NearBodies {
  public:
-  /// Are the parts of these nodes told of by other means?
+  /// Does the caller decide about the parts of these two nodes by other means? They are left out then.
   using Told = std::function<bool(std::uint32_t ball, std::uint32_t socket)>;
 
   NearBodies(const NearPoses& poses, double gap_mm);
 
-  /// May surfaces come as near as the gap in one of the poses? No is proven.
+  /// May the surfaces come as near as the gap in one of the poses? No is proven.
   bool may_meet(const SweptParts& ball, const SweptParts& socket, const Told& told) const;
-  /// All pairs of faces that may, appended to `close`, with what keeps them apart; false if that is more than
-  /// `most`, or nothing does.
+  /// Appends to `close` all pairs of faces that may come so near, each with a plane that keeps them apart in
+  /// the middle pose. False if some pair has no such plane, or there are more than `most`.
   bool find_close(const SweptParts& ball, const SweptParts& socket, const Told& told, std::size_t most,
                   std::vector<ClosePair>& close) const;
-  /// Do two points stay within reach in all of the poses? Yes is proven.
+  /// Is there a point of one body that stays in an inner ball of the other, or within the gap of it, in all
+  /// of the poses? Yes is proven.
   bool stay_in_contact(const BodyTrees& ball, const BodyTrees& socket) const;
-  /// The points that are deepest in the middle of the poses, one of each inner ball.
+  /// The points that are deepest inside in the middle pose, one for each inner ball, at most `most`.
   std::vector<WithinReach> deepest(const BodyTrees& ball, const BodyTrees& socket, std::size_t most) const;
 
  private:
   Vec3 turned(const Vec3& x) const { return poses_.rotation * x; }
   TurnFace turned(const TurnFace& face) const;
-  double least_squared(const Vec3& p, const Vec3& y) const;  // of p as R takes it, mm^2
+  double least_squared(const Vec3& p, const Vec3& y) const;  // distance of p, turned by R, from y, mm^2
   double most_squared(const Vec3& p, const Vec3& y) const;
   template <class Far, class Take>
   bool any_within_reach(const BodyTrees& ball, const BodyTrees& socket, const Far& far,
@@ -91,32 +85,32 @@ class NearBodies {
   bool apart_along(const Vec3& n, const TurnFace& moved, const TurnFace& face) const;
 
   const NearPoses& poses_;
-  double cosine_, sine_;  // of the turn
-  double more_;           // mm: nearer by the shift, and the gap, which counts as contact
+  double cosine_, sine_;  // of the largest turn
+  double more_;           // mm, the shift and the gap
   double gap_;            // mm
 };
 
-/// Of a body, what InnerBalls has to know.
+/// What InnerBalls has to know of a body.
 struct BodyInside {
   using Holds = std::function<bool(const Vec3& x)>;
-  Holds holds;                                      // is x certainly inside? None if there is no inside
-  std::function<double(const Vec3& x)> to_opening;  // mm, from x to where it may be open
+  Holds holds;                                      // is x certainly inside? Empty if there is no inside
+  std::function<double(const Vec3& x)> to_opening;  // mm, distance of x from the nearest opening
 };
 
-/// Inner balls of a body, coarse and fine: points whose `doubt` is the radius, mm. A body without an inside
-/// has points of its surface, of radius 0.
+/// Inner balls of a body, coarse and fine, as points whose `doubt` is the radius, mm. A body without an
+/// inside has points of its surface, with the radius 0.
 class InnerBalls {
  public:
   InnerBalls() = default;
   InnerBalls(const SweptParts& faces, const BodyInside& inside);
 
-  /// As many as are worth asking in a turn of that, radians.
+  /// The level that is worth asking about poses within `turn` radians: the narrower, the finer.
   const SweptParts& of(double turn) const;
 
  private:
-  /// How near the surface comes to some ball, as a share of the size of the body, in each level.
+  /// For each level: the surface is no farther from some ball than this share of the body's size.
   static constexpr std::array<double, 4> kNear{0.03, 0.01, 0.003, 0.001};
-  static constexpr double kOfWay = 0.25;           // of a point as far from the centre as the body is large
+  static constexpr double kOfWay = 0.25;           // of() takes a share of at most this part of the turn
   static constexpr std::size_t kMostAsked = 4000;  // faces
   std::array<SweptParts, kNear.size()> levels_;
 };

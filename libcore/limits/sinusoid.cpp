@@ -10,12 +10,12 @@ namespace impinge {
 namespace {
 
 constexpr double kTurn = 2.0 * kPi;
-// Radians. That of phase, arc cosine, their sum and the reduction to one turn is below 16 * 2^-53 * 2 pi:
-// each is right to an ulp or two of at most 4 pi, and 2 pi itself is. What the argument of the arc cosine is
-// rounded by changes the bound by as much relatively, which is the caller's.
+// Radians, above 16 * 2^-53 * 2 pi: the phase, the arc cosine, their sum and its reduction to one turn are
+// each right to an ulp or two of at most 4 pi. sinusoid.gappa. A rounded argument of the arc cosine counts as
+// a bound that differs by the same share, for which the caller allows.
 constexpr double kAngleRounding = 1.2e-14;
 
-// The span, which may begin anywhere, cut where a turn begins and ends.
+// Adds the span, which may begin anywhere, reduced to [0, 2 pi].
 void add(AngleSpans& spans, double from, double to) {
   const double width = to - from + 2.0 * kAngleRounding;
   double start = std::fmod(from - kAngleRounding, kTurn);
@@ -44,7 +44,7 @@ AngleSpans near_zero(const Sinusoid& f, double bound) {
   AngleSpans spans;
   const double height = std::hypot(f.cosine, f.sine);
   if (std::abs(f.constant) > height + bound) return spans;
-  // cos(t - phase) is between these
+  // cos(t - phase) is between `low` and `high`.
   const double high = height > 0.0 ? std::min(1.0, (bound - f.constant) / height) : 1.0;
   const double low = height > 0.0 ? std::max(-1.0, (-bound - f.constant) / height) : -1.0;
   const double phase = std::atan2(f.sine, f.cosine);

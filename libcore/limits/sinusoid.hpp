@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a turn does to a scalar product, and when that is near zero: the closed form behind every contact.
-//
-// A vector a that has turned by an angle t about +z has a(t) . b = c cos t + s sin t + k for any fixed b.
-// Every condition of contact between a turning surface and one at rest is such a function:
-//   a corner p on the plane n.x = d of a face                  p . n - d
-//   two edges a + l.. and c + m.. in one plane (Pluecker)      l . (c x m) + (a x l) . m
+// A scalar product with a vector that turns about +z, as a function of the angle, and where it is near zero.
+// Every condition of contact between a turning surface and one at rest is such a function. Theorem 12 (turn).
 #pragma once
 
 #include <array>
@@ -16,14 +12,14 @@
 
 namespace impinge {
 
-/// f(t) = cosine cos t + sine sin t + constant, t in radians. Theorem 12 (turn).
+/// f(t) = cosine cos t + sine sin t + constant, t in radians.
 struct Sinusoid {
-  double cosine = 0.0;    // c
-  double sine = 0.0;      // s
-  double constant = 0.0;  // k
+  double cosine = 0.0;
+  double sine = 0.0;
+  double constant = 0.0;
 };
 
-/// a(t) . b, a turning about +z.
+/// a(t) . b, where a(t) is a turned by t about +z.
 inline Sinusoid turned_dot(const Vec3& a, const Vec3& b) {
   return {a.x() * b.x() + a.y() * b.y(), a.x() * b.y() - a.y() * b.x(), a.z() * b.z()};
 }
@@ -53,8 +49,8 @@ struct AngleSpans {
   const AngleSpan* end() const { return span.data() + count; }  // behind the last span
 };
 
-/// The parts of a turn in which |f| <= bound, bound > 0; they may overlap. Rounding is the caller's: bound
-/// must exceed that of the coefficients by a factor of ten.
+/// Spans of [0, 2 pi] that hold all angles with |f| <= bound, bound > 0; they may overlap. The caller chooses
+/// a bound at least ten times as large as the rounding of the coefficients.
 AngleSpans near_zero(const Sinusoid& f, double bound);
 
 }  // namespace impinge

@@ -13,13 +13,13 @@
 namespace impinge {
 namespace {
 
-constexpr double kSweptRounding = 1e-12;  // of lengths: that of a distance is below a third of it
+constexpr double kSweptRounding = 1e-12;  // share of a length, three times the rounding of a distance
 constexpr double kWholeTurn = 2.0 * kPi;
-// Radians, of spans: azimuths and the arc sine are right to some 1e-15. What its argument is rounded by is
-// below what is added to the reach.
+// Radians, added to spans: azimuths and the arc sine are right to some 1e-15. Rounding of the arc sine's
+// argument is less than what is added to the reach.
 constexpr double kSpanRounding = 1e-12;
-constexpr double kFinest = 1e-5;  // radians
-constexpr int kMostSteps = 2000;  // of a pair of parts
+constexpr double kFinest = 1e-5;  // radians, half of the narrowest span
+constexpr int kMostSteps = 2000;  // for a pair of parts
 
 double arm_of(const TurnFace& face) {
   double squared = 0.0;
@@ -34,7 +34,7 @@ TurnFace turned_face(const TurnFace& face, double angle) {
   return moved;
 }
 
-// Is t on one side of the plane of s, farther from it than that?
+// Is all of t on one side of the plane of s and farther from it than `distance`?
 bool plane_separates(const TurnFace& s, const TurnFace& t, double distance) {
   if (s.thin) return false;
   const double far = distance * s.normal.norm();
@@ -48,7 +48,7 @@ bool plane_separates(const TurnFace& s, const TurnFace& t, double distance) {
   return low > far || high < -far;
 }
 
-// Halves a span of angles until nothing is near in one half, or a pair of parts is.
+// The first angle of a span at which two parts may be near: the span is halved until that is decided.
 class FirstNear {
  public:
   FirstNear(const TurnFace& turning, const TurnFace& resting, const WithinSpan& within, double doubt)
@@ -68,8 +68,8 @@ class FirstNear {
   const TurnFace& turning_;
   const TurnFace& resting_;
   const WithinSpan& within_;
-  double arm_;    // mm
-  double doubt_;  // mm
+  double arm_;    // mm, largest distance of the turning part from the axis
+  double doubt_;  // mm, added to what counts as near
   int steps_ = kMostSteps;
 };
 
@@ -111,7 +111,8 @@ AngleSpans SweptSpheres::spans(std::uint32_t turning_node, std::uint32_t resting
   const double reach = turning_of.radius + resting_of.radius + near;
   const double rise = a.centre.z() - b.centre.z();
   const double apart = a.arm - b.arm;
-  // 2 a b (1 - cos of what they are apart by) is at most this.
+  // Two centres with the arms a, b at the azimuths f + t, g are within `reach` of each other where
+  // 2 a b (1 - cos(f + t - g)) <= reach^2 - rise^2 - (a - b)^2.
   const double rest = (reach - rise) * (reach + rise) - apart * apart;
   if (rest < 0.0) return spans;
   const double both = 2.0 * a.arm * b.arm;
@@ -157,7 +158,7 @@ SweptParts::SweptParts(std::vector<TurnFace> parts) : parts_(std::move(parts)) {
   split(order.data(), order.data() + order.size(), 0);
 }
 
-// The sphere about the middle of the box of the corners.
+// The sphere about the middle of the box round the corners.
 void SweptParts::split(std::uint32_t* first, std::uint32_t* last, std::uint32_t node) {
   Eigen::AlignedBox3d box;
   for (const std::uint32_t* p = first; p != last; ++p) {

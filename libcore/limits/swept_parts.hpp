@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which parts of two surfaces can meet, or come near each other, while one of them turns about an axis, and
-// from which angle on.
+// from which angle on?
 //
-// Both are trees of spheres, made once for all axes. Two spheres whose centres are at heights z and y above
-// the plane across the axis, at a and b from it and at azimuths f + t and g are D apart where
-//   4 a b sin^2((f + t - g) / 2) = D^2 - (z - y)^2 - (a - b)^2,
-// which gives the angles at which their contents may be that near, whatever they are. No turn changes a
-// distance from the origin: where one is farther out than the other by more than that, as a socket is than
-// most of the head, they never are. The pair that may be first is opened next (best-first search), so that
-// few pairs of parts are looked at and none is missed that could be first.
+// Each surface is a tree of spheres, made once for all axes. No turn changes the height of a sphere along the
+// axis, its distance from the axis, or its distance from the centre: most pairs never come near each other,
+// and for the others the angles have a closed form. The pair that may come near first is looked at next
+// (best-first search).
 #pragma once
 
 #include <cmath>
@@ -23,27 +20,27 @@
 
 namespace impinge {
 
-/// Triangles (a point is one without extent), in a tree. `doubt` of a part, mm, is by how much nearer it may
-/// be than it is drawn.
+/// Triangles in a tree; a point is a triangle without extent. `doubt` of a part: it may be nearer than its
+/// coordinates say by as much, mm.
 class SweptParts {
  public:
-  /// A sphere that holds one part, or two nodes further on.
+  /// A sphere that holds one part, or two nodes that come later in the list.
   struct Node {
     Vec3 centre;            // mm
     double radius = 0.0;    // mm, doubt included
-    std::uint32_t at = 0;   // of the part, or of the first of the two nodes
-    bool leaf = true;       // is it one part?
-    double nearest = 0.0;   // mm, of the parts from the origin, doubt included
-    double farthest = 0.0;  // mm, the same
+    std::uint32_t at = 0;   // index of the part, or of the first of the two nodes; the second comes next
+    bool leaf = true;       // does it hold one part?
+    double nearest = 0.0;   // mm, least distance of its parts from the origin, doubt included
+    double farthest = 0.0;  // mm, largest distance of its parts from the origin, doubt included
   };
 
   SweptParts() = default;
-  explicit SweptParts(std::vector<TurnFace> parts);  // in their centre frame, mm; takes n log n
+  explicit SweptParts(std::vector<TurnFace> parts);  // in their centre frame, mm; n log n time
 
-  const std::vector<TurnFace>& parts() const { return parts_; }  // in their order
+  const std::vector<TurnFace>& parts() const { return parts_; }  // in the order in which they were given
   const std::vector<Node>& nodes() const { return nodes_; }      // the root first; none without parts
   bool empty() const { return nodes_.empty(); }
-  /// Calls visit(part) for those whose spheres come within `distance` of x, mm.
+  /// Calls visit(index) for all parts whose spheres come within `distance` of x, mm.
   template <class Visit>
   void visit_near(const Vec3& x, double distance, const Visit& visit) const {
     any_part(distance, x, [&](std::uint32_t part) {
@@ -51,18 +48,18 @@ class SweptParts {
       return false;
     });
   }
-  /// Does some part have found(node) true of its sphere, and of all that hold it?
+  /// Is found(node) true for the leaf of some part, and for all nodes above it?
   template <class Found>
   bool any_node(const Found& found, std::uint32_t from = 0) const {
     if (nodes_.empty() || !found(nodes_[from])) return false;
     const Node& node = nodes_[from];
     return node.leaf || any_node(found, node.at) || any_node(found, node.at + 1);
   }
-  /// Is every part farther than `distance` from x? mm.
+  /// Is every part farther than `distance` from x, mm?
   bool farther_than(double distance, const Vec3& x) const;
 
  private:
-  // Until found(part) is true.
+  // Calls found(part) for parts near x until it is true; returns whether it was.
   template <class Found>
   bool any_part(double distance, const Vec3& x, const Found& found) const {
     std::vector<std::uint32_t> pending;
@@ -84,8 +81,8 @@ class SweptParts {
   std::vector<Node> nodes_;
 };
 
-/// Is meet(part, part) true of two parts? Nodes of which apart(node, node) is true are not opened. All by
-/// their places.
+/// Is meet(part, part) true for some pair of parts? A pair of nodes with apart(node, node) is not opened.
+/// Parts and nodes are given by their indices.
 template <class Apart, class Meet>
 bool any_pair(const SweptParts& one, const SweptParts& other, const Apart& apart, const Meet& meet) {
   if (one.empty() || other.empty()) return false;
@@ -114,22 +111,22 @@ struct SweptPair {
   Eigen::Matrix3d resting_frame;
 };
 
-/// The spheres of both as the axis sees them.
+/// The spheres of both surfaces in the frame of the axis, each computed when it is first asked for.
 class SweptSpheres {
  public:
   explicit SweptSpheres(const SweptPair& pair);
 
-  /// The least angle from `from` on, radians in [0, 2 pi], at which the contents of two nodes may be within
-  /// that distance, mm; infinite if they never are.
+  /// The least angle from `from` on, radians in [0, 2 pi], at which parts of the two nodes may be within
+  /// `within` mm of each other; infinite if they never are.
   double earliest(std::uint32_t turning, std::uint32_t resting, double within, double from);
-  /// All such angles of a turn: at most two spans, the first that begins first.
+  /// All such angles of a whole turn: at most two spans, in rising order.
   AngleSpans spans(std::uint32_t turning, std::uint32_t resting, double within);
-  double rounding() const { return rounding_; }  // mm, more than that of any distance here
+  double rounding() const { return rounding_; }  // mm, above the rounding of any distance here
 
  private:
   struct Place {
     Vec3 centre;        // mm, in the frame of the axis
-    double arm = -1.0;  // mm, from the axis; not worked out yet if below 0
+    double arm = -1.0;  // mm, distance from the axis; below 0 if not computed yet
   };
   const Place& turning(std::uint32_t node);
   const Place& resting(std::uint32_t node);
@@ -140,9 +137,9 @@ class SweptSpheres {
   double rounding_;
 };
 
-/// Calls meet(i, j) for pairs of parts that may come within within(to) of each other, mm, at an angle from
-/// `from` to `to`, radians, in the order of the earliest one. meet() returns the `to` that holds from then
-/// on: the first angle found so far.
+/// Calls meet(i, j) for the pairs of parts that may come within within(to) mm of each other at an angle from
+/// `from` to `to`, radians. Pairs are visited in the order of their earliest angles. meet() returns the new
+/// `to`, such as the first contact found so far.
 template <class Within, class Meet>
 void visit_meetings(const SweptPair& pair, double from, double to, const Within& within, const Meet& meet) {
   if (pair.turning.empty() || pair.resting.empty()) return;
@@ -174,16 +171,16 @@ void visit_meetings(const SweptPair& pair, double from, double to, const Within&
   }
 }
 
-/// Are these farther apart than `distance`, mm? Of no use where they pierce each other.
+/// Are two faces that do not pierce each other farther apart than `distance`, mm?
 bool farther_than(const TurnFace& s, const TurnFace& t, double distance);
 
-/// The largest distance that is asked for in a span of angles, mm.
+/// The distance, mm, that counts as near; its largest value in a span of angles.
 using WithinSpan = std::function<double(const AngleSpan&)>;
 
-/// The first angle up to `largest` at which the turning parts may be within that distance of those at rest;
-/// no pair is before, and what is returned is early by the way of 1e-5 rad at most unless parts stay about as
-/// near as that; `largest` if there is none. largest in [0, 2 pi].
-/// Parts that pierce each other at the start may go unseen: distances are those of corners and edges.
+/// The first angle, radians, up to `largest` in [0, 2 pi], at which turning parts may be within that distance
+/// of those at rest; `largest` if there is none. Before it no pair is as near. At it some pair is, but
+/// for the way of 1e-5 rad; or for more, where parts stay nearly as near for long. No faces may pierce each
+/// other at the start: distances are those of corners and edges, and such faces may be missed.
 double first_within(const SweptPair& pair, const WithinSpan& within, double largest);
 
 }  // namespace impinge

@@ -4,7 +4,7 @@
 namespace impinge {
 namespace {
 
-constexpr double kOfNote = 5.0;  // degrees
+constexpr double kOfNote = 5.0;  // degrees: a smaller change of a limit does not count
 
 std::optional<double> first_reached(const TurnLimit& limit) {
   const bool reached = limit.state == LimitState::limited || limit.state == LimitState::blocked;
@@ -33,7 +33,7 @@ ToldLimit told_limit(const TurnLimits& limits, const JointTurn& turn, double thr
   question.doubt = CentreDoubt::play;
   told.play = limits.centre_interval(turn, told.limit, largest_deg, question);
   if (contact) told.half_mm_gap_deg = first_reached(limits.gap_of(turn, kErrorOfInput, largest_deg));
-  if (told.half_mm_gap_deg > told.limit.low_deg) told.half_mm_gap_deg.reset();  // where nothing is known
+  if (told.half_mm_gap_deg > told.limit.low_deg) told.half_mm_gap_deg.reset();  // beyond low nothing is known
   return told;
 }
 

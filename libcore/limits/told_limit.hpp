@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A limit with what its reader must know: the interval for other centres, and whether half a millimetre
+// A limit with what its reader must know: the intervals for other centres, and whether half a millimetre
 // changes it.
 #pragma once
 
@@ -9,24 +9,24 @@
 
 namespace impinge {
 
-/// mm, of the centre or the surface: what a scan and a segmentation leave unknown.
+/// mm by which a scan and a segmentation may misplace the centre or a surface.
 inline constexpr double kErrorOfInput = 0.5;
 
 /// The limit of one motion about one centre.
 struct ToldLimit {
-  double threshold_mm = 0.0;  // 0: contact of the surfaces; else the gap of a vertex
+  double threshold_mm = 0.0;  // 0: contact of bones; else the gap of a vertex
   TurnLimit limit;            // of the meshes as they are
-  CentreInterval common;      // for every common centre within kErrorOfInput of theirs
-  CentreInterval play;        // for every play of the ball of up to that
-  /// For contact only: the angle at which a vertex first has a gap of kErrorOfInput or less; nothing where
-  /// none has one up to the low end of the limit, as where edges touch between vertices that are farther
-  /// away.
+  CentreInterval common;      // for every common centre within kErrorOfInput of the given one
+  CentreInterval play;        // for every play of the ball up to kErrorOfInput
+  /// For contact only: the angle at which a vertex first has a gap of kErrorOfInput or less; nothing if no
+  /// vertex has one up to the low end of the limit, as where edges touch and all vertices are farther away.
   std::optional<double> half_mm_gap_deg;
 
-  /// Does the limit depend on less than half a millimetre: was the gap that small more than 5 degrees before
-  /// the limit, or is there no limit although it was; or may the limit of a centre within that, also of what
-  /// is free or blocked here, be more than 5 degrees off? The 5 degrees are our choice: a limitation of that
-  /// size is what such programs are held to find (Roeling et al. 2015, doi:10.1186/s12891-015-0504-7).
+  /// Could an error of half a millimetre move the limit by more than 5 degrees? True if the gap was that
+  /// small more than 5 degrees before the limit, or was that small and there is no limit; or if for some
+  /// common centre within half a millimetre the limit may be more than 5 degrees off, a free or blocked
+  /// motion included. The 5 degrees are our choice: limitations of this size are what such programs are
+  /// expected to find (Roeling et al. 2015, doi:10.1186/s12891-015-0504-7).
   bool hangs_on_less() const;
 };
 

@@ -15,11 +15,11 @@ namespace impinge {
 namespace {
 
 constexpr double kPast =
-    1e-9;  // radians past a contact, where it is first asked for; doubled while a graze lasts
-constexpr int kMostContacts = 64;             // that are looked at in closed form
-constexpr double kPoseStep = 0.05 * kDegree;  // at most between poses that are asked for behind a graze
-// Of an angle, radians, between one in degrees and one in radians. A pose that is rounded differs from the
-// turn by about 1e-15 of the radius, which the tolerance of limits/turn_contact.hpp holds.
+    1e-9;  // radians behind a contact, where the pose is first tested; doubled while a graze lasts
+constexpr int kMostContacts = 64;             // contacts that are looked for in closed form
+constexpr double kPoseStep = 0.05 * kDegree;  // radians at most between poses that are tested behind a graze
+// Radians: above the rounding from degrees to radians and back. The tolerance of limits/turn_contact.cpp
+// allows for the rounding of the pose.
 constexpr double kTurnRounding = 1e-12;
 
 Pose pose_at(const JointTurn& turn, double angle) {
@@ -55,7 +55,7 @@ static bool as_many_faces(const BallSocketPair& a, const BallSocketPair& b) {
 
 const CulledJoint& TurnLimits::Answers::vertices() {
   const CulledJoint* made = bodies.radial();
-  if (made && as_many_faces(made->meshes(), meshes)) return *made;  // none was edge-on
+  if (made && as_many_faces(made->meshes(), meshes)) return *made;  // no face was edge-on
   const std::lock_guard lock(making);
   if (!culled) culled.emplace(meshes);
   return *culled;
@@ -81,7 +81,7 @@ BodyPairs::Verdict TurnLimits::verdict(const JointTurn& turn, double angle_deg) 
   return answers_->bodies.verdict(pose_at(turn, angle_deg * kDegree));
 }
 
-// An angle that is reached, asked for in steps; next to it, within kPast, is one that is not.
+// The first angle found, in steps of kPoseStep, with reached(angle); it is false within kPast before.
 template <class Reached>
 static std::optional<double> first_reached(double from, double to, const Reached& reached) {
   for (double before = from; before < to; before = std::min(before + kPoseStep, to)) {
@@ -96,7 +96,7 @@ static std::optional<double> first_reached(double from, double to, const Reached
   return std::nullopt;
 }
 
-// next(span) is the first contact that may be in it; gap_reached(angle) makes certain of a threshold.
+// next(span) gives the first contact that there may be in the span; gap_reached(angle) tests the threshold.
 template <class Next, class Reached>
 TurnLimit TurnLimits::bracket(const JointTurn& turn, double largest_deg, const Next& next,
                               const Reached& gap_reached) const {
@@ -134,7 +134,7 @@ TurnLimit TurnLimits::bracket(const JointTurn& turn, double largest_deg, const N
   return limit;
 }
 
-// The contact is still before the turn's last part.
+// The contact is given in the frame of the axis.
 void TurnLimits::make_limited(const JointTurn& turn, double angle, const TurnContact& contact,
                               TurnLimit& limit) const {
   limit.state = LimitState::limited;
@@ -146,7 +146,7 @@ void TurnLimits::make_limited(const JointTurn& turn, double angle, const TurnCon
   limit.centre_deg_per_mm = each * (normal - to_ball(pose_at(turn, contact.angle), normal)).norm();
 }
 
-// The mesh of the ball may end before the motion does.
+// Finds where the ball's mesh ends during the turn.
 void TurnLimits::end_of_mesh(const JointTurn& turn, double largest, const std::optional<double>& certain,
                              TurnLimit& limit) const {
   if (answers_->ends.empty()) return;

@@ -22,7 +22,7 @@ std::string head_of(const fs::path& file) {
   return head;
 }
 
-// The field SPACE.
+// The axes in the field SPACE.
 std::optional<std::string> axes_of_vtp(const fs::path& file) {
   std::error_code unreadable;
   if (!fs::is_regular_file(file, unreadable) || fs::file_size(file, unreadable) > kMostMeshBytes)
@@ -46,7 +46,7 @@ std::optional<std::string> declared_axes(const fs::path& file) {
 
 AxesChoice agreed_axes(const fs::path& ball, const fs::path& socket, const std::optional<std::string>& given,
                        const std::string& option) {
-  const SaidAxes of_ball{ball, declared_axes(ball)};  // the first to be refused
+  const SaidAxes of_ball{ball, declared_axes(ball)};  // first, so that it is the first to be refused
   return agreed_axes(of_ball, {socket, declared_axes(socket)}, given, option);
 }
 

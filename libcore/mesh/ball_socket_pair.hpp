@@ -6,7 +6,7 @@
 
 namespace impinge {
 
-/// Each in its own centre frame, mm (docs/frames.dox).
+/// Ball and socket, each in its own centre frame, mm (README.md, Frames).
 struct BallSocketPair {
   TriangleMesh ball;    // normals outwards
   TriangleMesh socket;  // normals towards the origin

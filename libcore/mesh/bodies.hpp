@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Generated bodies with known answers. Lengths in millimetres, normals outward (cup: towards the centre).
-// "Mesh radius" is the distance from the origin to the faces, "radius" that to the smooth surface which they
-// approximate. All functions throw std::invalid_argument, one line, for sizes that give no such body.
+// "Mesh radius" is the distance from the origin to the faces, "radius" the distance to the smooth surface
+// which they approximate. All functions throw std::invalid_argument, one line, for sizes that give no such
+// body.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +15,17 @@ namespace impinge {
 /// Sphere about `centre` with exactly `faces` faces: even, 8 or more. Vertices on the sphere, see rings.hpp.
 TriangleMesh sphere(double radius, std::size_t faces, const Vec3& centre = Vec3::Zero());
 
-/// Distance from the origin to that sphere along a direction, for |centre| < radius:
+/// Distance from the origin to this sphere along a direction, for |centre| < radius:
 ///   r(u) = e.u + sqrt(R^2 - |e|^2 + (e.u)^2),  e the centre, R the radius.
 double eccentric_sphere_radius(const Vec3& direction, double radius, const Vec3& centre);
 
-/// Closed body with its vertices at distance radius(u) from the origin along the directions u of a unit
-/// sphere.
+/// Closed body whose vertices are at the distance radius(u) from the origin, along the directions u of the
+/// vertices of a unit sphere.
 TriangleMesh radial_body(std::size_t faces, const std::function<double(const Vec3&)>& radius);
 
-/// Octahedron with its corners on the axes at distance `radius`, and its mesh radius r(u) = R / |u|_1.
+/// Octahedron with its corners on the axes at the distance `radius`.
 TriangleMesh octahedron(double radius);
-double octahedron_mesh_radius(const Vec3& direction, double radius);  // mm, R / |u|_1
+double octahedron_mesh_radius(const Vec3& direction, double radius);  // its mesh radius, R / |u|_1, mm
 
 /// Pyramid over a regular polygon, apex on +z, base plane z = -base_depth; the origin lies inside. 2 * sides
 /// faces: vertex 0 is the apex, 1 the middle of the base, base corner k at azimuth 2 pi k / sides.
@@ -34,13 +35,14 @@ struct ConeShape {
   double base_depth = 10.0;   // mm below the origin
   std::size_t sides = 64;     // 3 or more
 };
-TriangleMesh cone(const ConeShape& shape = {});  // that pyramid, which is a cone for many sides
+TriangleMesh cone(const ConeShape& shape = {});  // the pyramid, which is a cone for many sides
 
 /// Mesh radius of the cone: the nearest of its planes ahead, min of d / (n.u) over n.u > 0.
 double cone_mesh_radius(const Vec3& direction, const ConeShape& shape = {});
 
-/// Open spherical cap about the origin with its pole on +z, and its rim at half_opening_deg (degrees, in (0,
-/// 180)) from the pole. Normals towards the centre, as those of a socket. Exactly `faces` faces, 3 or more.
+/// Open spherical cap about the origin with its pole on +z and its rim at half_opening_deg (degrees, in (0,
+/// 180)) from the pole. Its normals point to the centre, as in a socket. Exactly `faces` faces, 3 or
+/// more.
 TriangleMesh cup(double inner_radius, double half_opening_deg, std::size_t faces);
 
 }  // namespace impinge

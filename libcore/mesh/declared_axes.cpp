@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kStlHead = 80;  // of a binary STL
 constexpr std::string_view kTag = "SPACE=";
 
-// The lines that a format's header has before its numbers begin.
+// The lines of a file before its numbers begin.
 std::string_view header_of(MeshFormat format, std::string_view head) {
   switch (format) {
     case MeshFormat::ply:
@@ -35,7 +35,7 @@ std::string_view header_of(MeshFormat format, std::string_view head) {
   return {};
 }
 
-// A word of its own, not the end of COLORSPACE=.
+// SPACE= must be a word of its own, not the end of COLORSPACE=.
 bool says(std::string_view header, const std::string& code) {
   const std::string word = std::string(kTag) + code;
   const auto letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; };

@@ -16,7 +16,7 @@ class DisjointSets {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
 
-  /// Where a member is.
+  /// The place of a member.
   struct Place {
     std::size_t root = 0;   // names the set
     bool opposite = false;  // on the other side of the set than the root
@@ -50,7 +50,7 @@ class DisjointSets {
 
  private:
   std::vector<std::size_t> parent_;
-  std::vector<bool> opposite_;  // than the parent
+  std::vector<bool> opposite_;  // on the other side of the set than the parent
 };
 
 }  // namespace impinge

@@ -20,7 +20,7 @@ void require_countable_edges(const TriangleMesh& mesh) {
 
 namespace {
 
-// A half-edge at the smaller of its ends, in few bytes: the system takes its time for fresh memory.
+// A half-edge at the smaller of its ends, in few bytes, as fresh memory takes time.
 struct Spoke {
   VertexIndex larger;
   std::uint32_t place;  // 3 times the face, and the side
@@ -28,13 +28,13 @@ struct Spoke {
   HalfEdge half_edge() const { return {place / 3, place % 3}; }
 };
 
-// Those of vertex v are spokes[first[v]] .. spokes[first[v + 1] - 1], in the order of the faces.
+// The spokes of vertex v are spokes[first[v]] .. spokes[first[v + 1] - 1], in the order of the faces.
 struct Spokes {
   std::vector<Spoke> spokes;
   std::vector<std::uint32_t> first;
 };
 
-// The faces of a mesh, in the place of a list of them.
+// The numbers of all faces of a mesh, used like a list.
 struct EveryFace {
   std::size_t count;
 
@@ -42,7 +42,7 @@ struct EveryFace {
   std::size_t operator[](std::size_t k) const { return k; }
 };
 
-// Calls visit(half_edge, its ends) for those of the faces, if they have three corners, whose lower end is
+// Calls visit(half_edge, its ends) for the half-edges of the faces with three corners whose lower end is
 // wanted.
 template <class Faces, class Wanted, class Visit>
 void for_each_half_edge(const TriangleMesh& mesh, const Faces& faces, const Wanted& wanted, Visit&& visit) {
@@ -56,7 +56,7 @@ void for_each_half_edge(const TriangleMesh& mesh, const Faces& faces, const Want
   }
 }
 
-// A counting sort, so that the time is linear.
+// Sorts by counting, so that the time is linear.
 template <class Faces, class Wanted>
 Spokes spokes_of(const TriangleMesh& mesh, const Faces& faces, const Wanted& wanted) {
   require_countable_edges(mesh);

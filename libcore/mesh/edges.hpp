@@ -20,7 +20,7 @@ struct HalfEdge {
   std::size_t side = 0;  // 0, 1 or 2
 };
 
-/// From the start of the side to its end, as the face runs through it.
+/// The two ends of a side, in the direction in which the face runs through it.
 inline Edge ends(const TriangleMesh& mesh, HalfEdge h) {
   return {mesh.faces[h.face][h.side], mesh.faces[h.face][(h.side + 1) % 3]};
 }
@@ -32,15 +32,15 @@ bool has_three_corners(const TriangleMesh& mesh, const Face& face);
 void require_countable_edges(const TriangleMesh& mesh);
 
 /// Calls visit(half_edges) for each edge of the faces with three corners; its half-edges come in the order of
-/// the faces. Takes linear time. std::invalid_argument for more faces than a third of 2^32.
+/// the faces. Takes linear time. Throws std::invalid_argument for more faces than a third of 2^32.
 void for_each_edge(const TriangleMesh& mesh, const std::function<void(std::span<const HalfEdge>)>& visit);
 
 /// The same for the edges whose lower end (the vertex with the smaller index) is marked.
 void for_each_edge(const TriangleMesh& mesh, const std::vector<bool>& lower_ends,
                    const std::function<void(std::span<const HalfEdge>)>& visit);
 
-/// Half-edges of all faces with three corners, those of one edge next to each other, otherwise in the order
-/// of the faces; group e is half_edges[first[e]] .. half_edges[first[e + 1] - 1].
+/// The half-edges of all faces with three corners, edge by edge, for one edge in the order of the faces. Edge
+/// e has half_edges[first[e]] .. half_edges[first[e + 1] - 1].
 struct EdgeList {
   std::vector<HalfEdge> half_edges;                      // edge by edge
   std::vector<std::size_t> first;                        // one longer than the number of edges

@@ -30,12 +30,13 @@ PairShape impinging_cam();
 /// Direction of the top of the bump.
 Vec3 cam_direction(const PairShape& shape);
 
-/// Radius (mm) of the smooth ball along a direction: head + height * cos^2(pi/2 * angle / half width) within
-/// the bump, which joins the head with a continuous slope.
+/// Radius (mm) of the smooth ball along a direction. Within the bump it is head + height * cos^2(pi/2 * angle
+/// / half width), which joins the head with a continuous slope.
 double ball_radius(const Vec3& direction, const PairShape& shape = {});
 
-/// Both meshes have faces_per_model faces exactly: an even number, 8 or more, else std::invalid_argument.
-/// Vertices lie on the smooth surfaces; a ball vertex lies on either pole, a socket vertex on +z.
+/// The pair as meshes with exactly faces_per_model faces each. Throws std::invalid_argument unless that is
+/// even and at least 8. Vertices lie on the smooth surfaces; the ball has a vertex on both poles, the socket
+/// one on +z.
 BallSocketPair make_ball_socket_pair(std::size_t faces_per_model, const PairShape& shape = {});
 
 }  // namespace impinge

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostHalvings = 8;
 
-// The twelve corners are shared by the faces; they are farther apart than this tolerance by far.
+// The faces share the twelve corners, which are much farther apart than this tolerance.
 VertexIndex corner_index(TriangleMesh& mesh, const Vec3& corner) {
   const auto same = [&](const Vec3& v) { return (v - corner).squaredNorm() < 1e-12; };
   const auto found = std::find_if(mesh.vertices.begin(), mesh.vertices.end(), same);

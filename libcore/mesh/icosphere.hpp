@@ -10,8 +10,8 @@
 
 namespace impinge {
 
-/// Closed sphere about the origin, normals outward, 20 * 4^halvings faces, corners at `radius` mm, one of
-/// them on either pole. Throws std::invalid_argument for a radius that is no positive length and for more
+/// Closed sphere about the origin, normals outward, with 20 * 4^halvings faces and its corners at `radius`
+/// mm, one on each pole. Throws std::invalid_argument unless the radius is a positive length, and for more
 /// than 8 halvings (1.3 million faces).
 TriangleMesh icosphere(double radius, std::size_t halvings);
 

@@ -19,7 +19,7 @@ double face_slope(const TriangleMesh& mesh, const Face& face) {
   return cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();
 }
 
-// As the centre sees the faces, exact: +1, -1, or 0 where a face has not three corners.
+// The orientation of each face as the centre sees it, exact; 0 for a face without three corners.
 std::vector<std::int8_t> sides_of(const TriangleMesh& mesh) {
   std::vector<std::int8_t> sides(mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -31,9 +31,8 @@ std::vector<std::int8_t> sides_of(const TriangleMesh& mesh) {
   return sides;
 }
 
-// Two faces that spread to opposite sides of the plane through the centre and their common edge: the third
-// corner of a face is on the side that the face turns to the centre, seen along its own direction of the
-// edge.
+// Do two faces spread to opposite sides of the plane through the centre and their common edge? Seen along a
+// face's own direction of the edge, its third corner is on the side that its orientation tells.
 bool continues(const TriangleMesh& mesh, const std::vector<std::int8_t>& sides,
                std::span<const HalfEdge> uses) {
   if (uses.size() != 2) return false;

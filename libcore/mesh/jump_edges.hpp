@@ -16,7 +16,7 @@ struct JumpEdge {
   double slope = 0.0;    // largest tan psi of the faces at the edge, infinite if one is edge-on
 };
 
-/// The edge, seen from the centre, as a cone that covers no area.
+/// The edge as the centre sees it: a cone that covers no area.
 inline TriangleCone cone_of(const TriangleMesh& mesh, const JumpEdge& edge) {
   return {mesh.vertices[edge.from], mesh.vertices[edge.to], mesh.vertices[edge.to]};
 }

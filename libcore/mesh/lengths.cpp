@@ -33,7 +33,7 @@ struct LengthRange {
   throw std::invalid_argument(text);
 }
 
-// Largest absolute coordinate of a face; a NaN if there is one.
+// Largest absolute coordinate of a face; NaN if it has one.
 double extent(const TriangleMesh& mesh, const Face& face) {
   double largest = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -45,8 +45,8 @@ double extent(const TriangleMesh& mesh, const Face& face) {
   return largest;
 }
 
-// Then so is each face: vertices are read once each and in a row, those of faces six times. No is no answer:
-// it may be the sum alone, or a vertex of no face.
+// If true, all faces are within the range too. This is faster, as each vertex is read once and in a row, and
+// the corners of faces six times. False decides nothing: the sum may be at fault, or a vertex of no face.
 bool all_vertices_within(const TriangleMesh& mesh, const LengthRange& range) {
   return std::ranges::all_of(mesh.vertices, [&range](const Vec3& v) {
     const double sum = std::abs(v.x()) + std::abs(v.y()) + std::abs(v.z());

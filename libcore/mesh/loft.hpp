@@ -9,11 +9,12 @@
 
 namespace impinge {
 
-/// Joins each ring with the next by a band of triangles, at each step the shorter of the two possible
-/// diagonals. Points of a ring go counter-clockwise as seen from outside beyond the first ring, and all rings
-/// start at about the same place. A ring of one point is a pole: first or last it closes the surface, where
-/// it is open otherwise. Normals point outward. Vertices are the points in their order. std::invalid_argument
-/// for fewer than two rings, a ring of two points or none, or two poles in a row.
+/// Joins each ring with the next by a band of triangles, at each step with the shorter of the two possible
+/// diagonals. The points of a ring must go counter-clockwise as seen from outside, from beyond the first
+/// ring, and all rings start at about the same place. A ring of one point is a pole: as first or last ring it
+/// closes the surface, which is open otherwise. Normals point outward. Vertices are the points in their
+/// order. Throws std::invalid_argument for fewer than two rings, a ring of two points or none, or two poles
+/// in a row.
 TriangleMesh loft(std::span<const std::vector<Vec3>> rings);
 
 }  // namespace impinge

@@ -14,7 +14,7 @@ bool of_one_sign(int a, int b, int c) {
   return least >= 0 || most <= 0;
 }
 
-// A plane along one axis, in which the sign of a triangle's area is exact.
+// The projection along one axis to a plane, in which the sign of a triangle's area is exact.
 class Flat {
  public:
   explicit Flat(int axis) : u_((axis + 1) % 3), v_((axis + 2) % 3) {}
@@ -44,7 +44,7 @@ bool meets_in_plane(const Triangle& face, const Vec3& p, const Vec3& q) {
   const auto& [a, b, c] = face;
   for (int axis = 0; axis < 3; ++axis) {
     const Flat flat(axis);
-    if (flat.side(a, b, c) == 0) continue;  // seen from aside
+    if (flat.side(a, b, c) == 0) continue;  // the axis sees the triangle edge-on
     return of_one_sign(flat.side(a, b, p), flat.side(b, c, p), flat.side(c, a, p)) || flat.meet(p, q, a, b) ||
            flat.meet(p, q, b, c) || flat.meet(p, q, c, a);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Do two triangles have a common point? Decided with exact signs (sphere/plane_side.hpp): two triangles meet
-// where a side of one meets the other.
+// Decides by exact signs (sphere/plane_side.hpp) whether two triangles have a common point: they have one if
+// a side of one meets the other.
 #pragma once
 
 #include "mesh/triangle_distance.hpp"

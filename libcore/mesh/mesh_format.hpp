@@ -10,10 +10,10 @@
 
 namespace impinge {
 
-/// What a mesh file is written in: Stanford PLY, STL, Wavefront OBJ, Object File Format, or VTK's PolyData as
-/// XML or in its legacy format.
+/// The format of a mesh file: Stanford PLY, STL, Wavefront OBJ, Object File Format, or VTK's PolyData as XML
+/// or in its legacy format.
 enum class MeshFormat { ply, stl, obj, off, vtp, vtk };
-/// As extensions have them, behind the point.
+/// The file extensions without the point.
 template <>
 inline constexpr std::array<std::string_view, 6> words_of<MeshFormat>{"ply", "stl", "obj",
                                                                       "off", "vtp", "vtk"};

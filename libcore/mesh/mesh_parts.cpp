@@ -17,7 +17,7 @@ TriangleMesh between(const TriangleMesh& mesh, const MeshPart& from, const MeshP
   return part;
 }
 
-// What ends where a part begins, or with the mesh.
+// The mesh up to where a part begins, or up to its end.
 TriangleMesh up_to(const TriangleMesh& mesh, std::span<const MeshPart> parts, std::size_t k) {
   return k < parts.size() ? between(mesh, {}, parts[k]) : mesh;
 }
@@ -44,7 +44,7 @@ TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> pa
   return between(mesh, parts[k], k + 1 < parts.size() ? parts[k + 1] : end);
 }
 
-// Parts of the main bone come first.
+// The number of the first part that is not of the main bone, whose parts come first.
 static std::size_t rests(std::span<const MeshPart> parts) {
   std::size_t k = 0;
   while (k < parts.size() && parts[k].of_main) ++k;

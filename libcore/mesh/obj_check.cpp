@@ -20,7 +20,7 @@ void join_lines(std::string& bytes) {
   }
 }
 
-// Reads the v and f records and writes them again, as plainly as they can be.
+// Reads the v and f records and writes them again in their plainest form.
 class ObjScan {
  public:
   ObjScan(const fs::path& file, std::string_view bytes)
@@ -41,7 +41,7 @@ class ObjScan {
   const std::string& text() const { return text_; }
 
  private:
-  // v x y z, what follows (weight, colour) is left out. assimp 5.2 cannot read .5 here: it becomes 0.5.
+  // v x y z; what follows (weight, colour) is left out. assimp 5.2 cannot read .5 here, so it becomes 0.5.
   void take_vertex() {
     if (words_.size() < 4) throw_incomplete();
     text_ += 'v';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values and faces as a binary little-endian PLY file has them.
+// Writes values and faces as in a binary little-endian PLY file.
 #pragma once
 
 #include <bit>
@@ -11,20 +11,20 @@
 
 namespace impinge {
 
-/// The bytes of an unsigned number, the lowest first.
+/// Appends the bytes of an unsigned number, the lowest first.
 template <std::unsigned_integral Bits>
 void append_bits(std::string& bytes, Bits bits) {
   for (std::size_t k = 0; k < sizeof bits; ++k) bytes.push_back(static_cast<char>(bits >> 8 * k & 0xffU));
 }
 
-/// As "double".
+/// Appends a number as "double".
 inline void append_value(std::string& bytes, double x) {
   append_bits(bytes, std::bit_cast<std::uint64_t>(x));
 }
-/// As "float".
+/// Appends a number as "float".
 inline void append_value(std::string& bytes, float x) { append_bits(bytes, std::bit_cast<std::uint32_t>(x)); }
 
-/// "property list uchar int vertex_indices"
+/// Appends the faces as "property list uchar int vertex_indices".
 inline void append_faces(std::string& bytes, const TriangleMesh& mesh) {
   for (const Face& face : mesh.faces) {
     bytes.push_back(3);

@@ -64,7 +64,7 @@ std::optional<PlyElement> to_element(const Words& words) {
   return PlyElement{std::string(words[1]), *count, {}};
 }
 
-// Takes in one line; false when it is none of a PLY header.
+// Takes one line; false if it does not belong to a PLY header.
 bool take(const Words& words, PlyHeader& header, bool& has_format) {
   if (words[0] == "comment" || words[0] == "obj_info") return true;
   if (words[0] == "format" && words.size() >= 2) {

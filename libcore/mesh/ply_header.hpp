@@ -17,17 +17,17 @@ namespace impinge {
 struct PlyProperty {
   std::string name;                 // as in the file
   NumberType type;                  // of the value, or of the values of a list
-  std::optional<NumberType> count;  // of the length in front of a list
+  std::optional<NumberType> count;  // the type of the length before a list
 };
 
 /// A kind of items, such as vertex or face.
 struct PlyElement {
   std::string name;                     // as in the file
-  std::int64_t count = 0;               // as declared: not to be trusted
+  std::int64_t count = 0;               // as declared; may be wrong
   std::vector<PlyProperty> properties;  // of each item, in the order of their values
 };
 
-/// How the values behind the header are written.
+/// How the values after the header are written.
 enum class PlyFormat { ascii, little_endian, big_endian };
 
 struct PlyHeader {
@@ -40,7 +40,8 @@ struct PlyHeader {
 const PlyElement* find_element(const PlyHeader& header, std::string_view name);
 const PlyProperty* find_property(const PlyElement& element, std::string_view name);
 
-/// Throws FileError, naming the line that is wrong. `bytes` must outlive the result.
+/// Parses the header of a PLY file. Throws FileError that names the line that is wrong. `bytes` must outlive
+/// the result.
 PlyHeader parse_ply_header(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace impinge

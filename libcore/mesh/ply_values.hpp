@@ -12,13 +12,13 @@ namespace impinge {
 class PlyValues {
  public:
   virtual ~PlyValues() = default;
-  /// Call it before each vertex, face, ...: in ascii files each has its own line.
+  /// To be called before each vertex, face and so on: in ascii files each has its own line.
   virtual void next_record() = 0;
-  /// The next number; none past the end (of the line), or if the text there is no number.
+  /// The next number; std::nullopt at the end (of the line), or if the text there is not a number.
   virtual std::optional<double> next(NumberType type) = 0;
 };
 
-/// The bytes that `header` was parsed from must outlive the result.
+/// The numbers of a file. The bytes from which `header` was parsed must outlive the result.
 std::unique_ptr<PlyValues> ply_values(const PlyHeader& header);
 
 }  // namespace impinge

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Binary PLY, and what it and other mesh files say beside points and faces.
+// Writes binary PLY; and describes what mesh files say beside points and faces.
 #pragma once
 
 #include <array>
@@ -15,28 +15,28 @@ namespace impinge {
 
 using Rgb = std::array<std::uint8_t, 3>;  // red, green and blue, 0 to 255
 
-/// A number of each vertex; NaN values (say: no gap here) stay NaN.
+/// A number for each vertex; NaN (such as no gap here) stays NaN.
 struct VertexValues {
   std::string_view name;           // without blanks
   std::span<const double> values;  // in the order of the vertices
 };
 
-/// What is only viewed must outlive it.
+/// What a mesh file says beside points and faces. The memory that the views point to must outlive it.
 struct MeshNotes {
-  std::string_view axes{};             // RAS or LPS, which files then say; nothing is said of another code
-  std::vector<VertexValues> values{};  // for viewers the first is the main one
-  std::vector<Rgb> colours{};          // of each vertex, or none
+  std::string_view axes{};             // RAS or LPS, which files then say; any other code is not said
+  std::vector<VertexValues> values{};  // the first is the main one for viewers
+  std::vector<Rgb> colours{};          // one for each vertex, or empty
 };
 
-/// "SPACE=RAS" or "SPACE=LPS", as 3D Slicer reads it, or nothing.
+/// "SPACE=RAS" or "SPACE=LPS", as 3D Slicer reads it, or an empty text.
 std::string space_of(const MeshNotes& notes);
 
-/// std::invalid_argument unless there are as many values and colours as vertices, if a name is empty, has
-/// blanks or is one of those below, and if a face names a vertex that is not there.
+/// Throws std::invalid_argument unless there are as many values and colours as vertices, or if a name is
+/// empty, has blanks or is one of the names below, or if a face names a vertex that does not exist.
 void check_notes(const TriangleMesh& mesh, const MeshNotes& notes);
 
-/// Little-endian: x y z as double in mm, faces as list uchar int vertex_indices; colours, and of the values
-/// the first alone, as double under its name. Throws as check_notes().
+/// A little-endian PLY file: x y z as double in mm, faces as list uchar int vertex_indices, the colours, and
+/// only the first of the values, as double under its name. Throws as check_notes().
 ///
 /// Viewers disagree on where a scalar belongs, so the value is also written as
 /// * quality (float): what MeshLab reads as the vertex quality, to be mapped to colours there;

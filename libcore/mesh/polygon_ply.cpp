@@ -48,7 +48,7 @@ void PolygonPly::add_polygon(std::span<const double> corners) {
   ++polygon_count_;
 }
 
-// Every other triangle is turned, so that all look to one side.
+// Every second triangle is turned round, so that all look to one side.
 void PolygonPly::add_strip(std::span<const double> corners) {
   for (std::size_t k = 0; k + 2 < corners.size(); ++k) {
     const std::size_t odd = k % 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points and polygons of a file of VTK, written again as a plain PLY file.
+// Writes the points and polygons of a VTK file as a plain PLY file.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,15 @@ namespace impinge {
 
 class PolygonPly {
  public:
-  /// x, y, z of each point in turn, mm. Cells that follow count from the first of these.
+  /// Adds points, as x, y, z of each in turn, mm. Cells that are added later count from the first of these.
   void add_points(std::span<const double> xyz);
 
-  /// Polygons, or strips of triangles: the corners of all, and where those of each end. What has less than
-  /// three corners is left out. False unless the ends grow up to the number of corners. An index that is no
-  /// place among the points becomes one that no PLY file may have.
+  /// Adds polygons or strips of triangles: the corners of all, and where the corners of each end. Cells of
+  /// less than three corners are left out. Returns false unless the ends grow up to the number of corners. An
+  /// index that names no point becomes one that no PLY file may have.
   bool add_cells(std::span<const double> corners, std::span<const double> ends, bool strips);
 
-  /// Binary, with doubles.
+  /// The PLY file, binary, with doubles.
   std::string bytes() const;
 
  private:

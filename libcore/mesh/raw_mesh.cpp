@@ -12,7 +12,7 @@
 namespace impinge {
 namespace {
 
-// The points with their faces, welded later.
+// The points and faces, not yet welded.
 TriangleMesh gathered(const std::filesystem::path& file, const RawMesh& raw) {
   TriangleMesh mesh;
   const std::size_t points = raw.positions.size() / 3;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh from plain numbers, as a reader of files in another language hands it over.
+// Makes a mesh from plain numbers, such as a file reader in another language gives.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,17 @@
 
 namespace impinge {
 
-/// positions: x, y, z of each point in turn, mm. corners: three indices of points for each face in turn;
-/// empty if every three points in turn are a face. Both are only read during the call.
+/// The numbers of a mesh; they are only read during the call. `corners` is empty if every three points in
+/// turn are a face.
 struct RawMesh {
-  std::span<const double> positions;       // three a point
-  std::span<const std::uint32_t> corners;  // three a face
+  std::span<const double> positions;       // x, y, z of each point in turn, mm
+  std::span<const std::uint32_t> corners;  // three indices of points for each face in turn
 };
 
-/// Points with equal coordinates become one, and faces that collapse thereby are dropped, as read_mesh() does
-/// (mesh/io.hpp). `file` is the name in messages. FileError if the numbers are no whole points or faces, a
-/// face names a point that is not there, a coordinate is NaN or infinite, or there is no face with an area.
+/// Makes the mesh. As in read_mesh() (mesh/io.hpp), points with equal coordinates become one, and faces that
+/// collapse thereby are dropped. `file` is the name in messages. Throws FileError if the numbers are not
+/// whole points or faces, a face names a point that does not exist, a coordinate is NaN or infinite, or no
+/// face has an area.
 TriangleMesh mesh_of(const std::filesystem::path& file, const RawMesh& raw);
 
 /// Throws FileError if none of the faces has an area.

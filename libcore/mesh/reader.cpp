@@ -45,7 +45,7 @@ MeshFileContent check(const fs::path& file, MeshFormat format, std::string& byte
 const char* assimp_hint(MeshFormat format) {
   switch (format) {
     case MeshFormat::ply:
-    case MeshFormat::vtp:  // plain PLY by now
+    case MeshFormat::vtp:  // has become plain PLY by now
     case MeshFormat::vtk:
       return "ply";
     case MeshFormat::stl:
@@ -63,7 +63,7 @@ std::span<const aiFace> polygons(const aiMesh& part) { return {part.mFaces, part
 std::span<const aiVector3D> points(const aiMesh& part) { return {part.mVertices, part.mNumVertices}; }
 std::span<const unsigned> corners(const aiFace& face) { return {face.mIndices, face.mNumIndices}; }
 
-// What assimp found; indices that do not exist are refused, before any of its processing touches one.
+// What assimp found. Indices that do not exist are refused before assimp processes them.
 MeshFileContent content_of(const fs::path& file, const aiScene& scene) {
   MeshFileContent found{0, 0, MeshFileSums{}};
   for (const aiMesh* part : parts(scene)) {
@@ -84,7 +84,7 @@ MeshFileContent content_of(const fs::path& file, const aiScene& scene) {
   return found;
 }
 
-// Did assimp find what is there?
+// Throws unless assimp found what the check found.
 void check_scene(const fs::path& file, const aiScene& scene, const MeshFileContent& content) {
   const MeshFileContent found = content_of(file, scene);
   const char* advice = "triangulate it and export it as STL";
@@ -101,7 +101,7 @@ void check_scene(const fs::path& file, const aiScene& scene, const MeshFileConte
   }
 }
 
-// None of the formats has node transforms: the parts stand side by side.
+// Puts the parts side by side, as none of the formats has node transforms.
 TriangleMesh gather(const aiScene& scene) {
   TriangleMesh mesh;
   for (const aiMesh* part : parts(scene)) {
@@ -129,7 +129,7 @@ void check_coordinates(const fs::path& file, const aiScene& scene) {
                   "remove them or export the mesh again");
 }
 
-// Only when there is something to do: assimp 5.2 aborts the program over a mesh of triangles and a face
+// Triangulates only if there are polygons: assimp 5.2 aborts the program for a mesh of triangles and a face
 // without corners.
 void triangulate(const fs::path& file, Assimp::Importer& importer) {
   const auto has_polygon = [](const aiMesh* part) {
@@ -141,13 +141,13 @@ void triangulate(const fs::path& file, Assimp::Importer& importer) {
   }
 }
 
-// Why assimp has no scene; std::bad_alloc where it had too little memory.
+// Throws FileError that says why assimp has no scene, or std::bad_alloc if it had too little memory.
 [[noreturn]] void fail_reading(const fs::path& file, const Assimp::Importer& importer) {
   try {
     if (importer.GetException()) std::rethrow_exception(importer.GetException());
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (const std::exception&) {  // GetErrorString() has its text
+  } catch (const std::exception&) {  // its text is in GetErrorString()
   }
   throw FileError(file, std::string("cannot be read, ") + importer.GetErrorString(), "export it again");
 }
@@ -166,7 +166,7 @@ void require_size(const fs::path& file) {
 }  // namespace
 
 TriangleMesh read_mesh(const fs::path& file) {
-  mesh_format(file);  // a wrong name is told before a wrong content
+  mesh_format(file);  // so that a wrong name is reported before wrong contents
   require_size(file);
   return parse_mesh(file, read_bytes(file));
 }

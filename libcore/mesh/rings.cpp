@@ -14,8 +14,8 @@ namespace {
 
 using Counts = std::vector<std::size_t>;
 
-// Shares of `total` in proportion to the sines of the polar angles k * step, k = 1..rings: as near as
-// integers allow, running sums rounded so that they add up.
+// Divides `total` in proportion to the sines of the polar angles k * step, k = 1..rings, into integers.
+// Running sums are rounded, so that they add up.
 Counts ring_sizes(std::size_t total, std::size_t rings, double step) {
   std::vector<double> sum(rings + 1, 0.0);
   for (std::size_t k = 1; k <= rings; ++k) sum[k] = sum[k - 1] + std::sin(step * static_cast<double>(k));
@@ -33,7 +33,7 @@ bool all_are_rings(const Counts& sizes) {
   return std::ranges::all_of(sizes, [](std::size_t n) { return n >= 3; });
 }
 
-// Edge of the equilateral triangle of which `faces` cover `area`.
+// Edge of an equilateral triangle, if `faces` of them cover `area`.
 double edge_length(double area, std::size_t faces) {
   return std::sqrt(4.0 * area / (static_cast<double>(faces) * std::sqrt(3.0)));
 }
@@ -50,7 +50,7 @@ Counts sphere_rings(std::size_t faces) {
   }
 }
 
-// The last ring, the rim, takes the parity of the number of faces; the rest is shared out as on the sphere.
+// The rim, the last ring, has the parity of the number of faces; the rest is divided as on the sphere.
 Counts cap_rings(std::size_t faces, double half_opening) {
   const double edge = edge_length(2.0 * kPi * (1.0 - std::cos(half_opening)), faces);
   std::size_t rim = rounded_at_least(3, 2.0 * kPi * std::sin(half_opening) / edge);
@@ -63,7 +63,7 @@ Counts cap_rings(std::size_t faces, double half_opening) {
   }
 }
 
-// n points on the parallel of cosine z; every second ring is turned by half a step.
+// Appends n points on the parallel at height z; every second ring is turned by half a step.
 void append_ring(TriangleMesh& mesh, std::size_t n, double z, bool turned) {
   const double rho = std::sqrt((1.0 - z) * (1.0 + z));
   for (std::size_t k = 0; k < n; ++k) {
@@ -72,8 +72,8 @@ void append_ring(TriangleMesh& mesh, std::size_t n, double z, bool turned) {
   }
 }
 
-// Pole and rings. Each vertex stands for the same area (a rim vertex for half of it), which gives the
-// heights; the first `total` shares lie above `bottom`.
+// The points of pole and rings. Each vertex stands for the same area (a rim vertex for half of it), which
+// gives the heights; the first `total` shares lie above `bottom`.
 TriangleMesh ring_points(const Counts& sizes, double total, double bottom) {
   TriangleMesh mesh;
   mesh.vertices.emplace_back(0.0, 0.0, 1.0);
@@ -87,7 +87,7 @@ TriangleMesh ring_points(const Counts& sizes, double total, double bottom) {
   return mesh;
 }
 
-// Faces between pole and first ring, and of all bands. Returns the last ring.
+// Adds the faces between pole and first ring, and of all bands. Returns the last ring.
 VertexRing stitch_rings(TriangleMesh& mesh, const Counts& sizes) {
   VertexRing ring{1, sizes[0]};
   for (std::size_t k = 0; k < ring.size; ++k) mesh.faces.push_back({0, ring[k], ring[k + 1]});

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Near-equilateral triangulations of the unit sphere and of a spherical cap: a pole, rings of equally spaced
-// points on parallels, and stitched bands between them. Unlike subdivided icosahedra they exist at any size.
+// Nearly equilateral triangulations of the unit sphere and of a spherical cap: a pole, rings of equally
+// spaced points on parallels, and stitched bands between them. Unlike subdivided icosahedra they exist at any
+// size.
 //
-// A closed sphere of rings n_1..n_m has 2 (n_1 + ... + n_m) faces, a cap whose rim is ring m has
-// 2 (n_1 + ... + n_{m-1}) + n_m: every even, respectively every, count of faces is met exactly.
+// A closed sphere with rings of n_1..n_m points has 2 (n_1 + ... + n_m) faces, a cap whose rim is ring m has
+// 2 (n_1 + ... + n_{m-1}) + n_m. So a sphere can have every even number of faces, a cap every number.
 #pragma once
 
 #include <cstddef>

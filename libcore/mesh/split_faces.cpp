@@ -9,7 +9,7 @@
 namespace impinge {
 namespace {
 
-// Sides that are to be cut, by their ends.
+// The sides that are to be cut, by their ends.
 class CutSides {
  public:
   void cut(VertexIndex a, VertexIndex b) { middle_.try_emplace(key(a, b), kNotMade); }
@@ -31,7 +31,7 @@ class CutSides {
   std::unordered_map<std::uint64_t, VertexIndex> middle_;
 };
 
-// The same face, its longest side from corner 0 to corner 1.
+// The same face with its longest side from corner 0 to corner 1.
 Face from_longest(const TriangleMesh& mesh, const Face& face) {
   std::array<double, 3> length{};
   for (std::size_t k = 0; k < 3; ++k)
@@ -40,7 +40,7 @@ Face from_longest(const TriangleMesh& mesh, const Face& face) {
   return {face[k], face[(k + 1) % 3], face[(k + 2) % 3]};
 }
 
-// Where a side is cut the longest is too.
+// The sides to cut: if a side of a face is cut, so is its longest side.
 CutSides closed(const std::vector<Face>& faces, const std::vector<bool>& marked) {
   CutSides sides;
   for (std::size_t f = 0; f < faces.size(); ++f) {

@@ -21,13 +21,13 @@ namespace {
 constexpr std::size_t kMostInBucket = 1000;
 constexpr double kMeasuringPrecision = 0.5;  // degrees
 
-// orientation(), which takes long to find that corners of one edge are in its plane.
+// As orientation(), which takes long to find that the ends of an edge are in its plane.
 int side_of(const Vec3& a, const Vec3& b, const Vec3& v) {
   return v == a || v == b ? 0 : orientation(a, b, v);
 }
 
-// Does the plane through the origin and a and b have the corners of `first` on one side of it or on it, and
-// those of `second` on the other side or on it?
+// Does the plane through the origin, a and b separate the corners of `first` from the corners of `second`?
+// Corners may be on the plane.
 bool separates(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& first,
                const std::array<Vec3, 3>& second) {
   bool above = true;  // `first` is
@@ -59,16 +59,15 @@ Cap cap_of(const std::array<Vec3, 3>& corners) {
   return cap;
 }
 
-// May the caps share a direction? Radii are at most a quarter turn, so that their sum keeps the order of
-// cosines.
+// May the caps share a direction? As radii are at most a quarter turn, cosines of their sum can be compared.
 bool caps_meet(const Cap& a, const Cap& b) {
   constexpr double slack = 1e-9;
   if (a.cos_radius < 0.0 || b.cos_radius < 0.0) return true;
   return a.axis.dot(b.axis) >= a.cos_radius * b.cos_radius - a.sin_radius * b.sin_radius - slack;
 }
 
-// Faces near each entry of a grid whose cells are about as large as a face: two faces with a common direction
-// are both near the entry that is nearest to it.
+// Lists the faces near each entry of a grid whose cells are about as large as a face. Two faces with a common
+// direction are both near the entry that is nearest to this direction.
 Lists bucket_faces(const std::vector<TriangleCone>& cones) {
   const double size_deg = std::sqrt(4.0 * kPi / static_cast<double>(cones.size() + 1)) / kDegree;
   const Rsid grid = Rsid::with_precision(180.0 / std::round(180.0 / std::clamp(size_deg, 0.5, 30.0)));
@@ -82,8 +81,8 @@ Lists bucket_faces(const std::vector<TriangleCone>& cones) {
   return Lists(grid.size(), near);
 }
 
-// Pairs that overlap; none if some bucket holds so many faces that trying all of its pairs would take long,
-// as when the whole mesh fills a small part of the view.
+// The number of pairs that overlap; std::nullopt if some bucket holds too many faces to try all pairs, as
+// when the whole mesh fills a small part of the view.
 std::optional<std::size_t> count_overlapping_pairs(const std::vector<TriangleCone>& cones) {
   std::vector<Cap> caps;
   caps.reserve(cones.size());
@@ -99,7 +98,7 @@ std::optional<std::size_t> count_overlapping_pairs(const std::vector<TriangleCon
   std::size_t found = 0;
   for (std::uint32_t f = 1; f < cones.size(); ++f) {
     for (const std::uint32_t entry : entries[f]) {
-      for (const std::uint32_t g : buckets[entry]) {  // rising
+      for (const std::uint32_t g : buckets[entry]) {  // in rising order
         if (g >= f) break;
         if (std::exchange(last[g], f) == f || !caps_meet(caps[f], caps[g])) continue;
         found += cones_overlap(cones[g].corners(), cones[f].corners()) ? 1U : 0U;
@@ -117,7 +116,7 @@ void measure_shares(const std::vector<TriangleCone>& cones, StarShapeReport& rep
   for (const TriangleCone& cone : cones) {
     for_each_entry_inside(walker, cone, [&](std::size_t entry, const Vec3& u) {
       met[entry] = true;
-      // Not on the boundary, so that a ray through an edge counts once at the most.
+      // The boundary does not count, so that a ray through an edge counts once at most.
       if (inside[entry] < UINT16_MAX && place_in_cone(cone.corners(), cone.side(), u) > 0) ++inside[entry];
     });
   }
@@ -146,8 +145,8 @@ double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 // The interiors of two convex cones are disjoint exactly if a plane through the apex separates them. The
-// normals of such planes form a cone themselves, whose extreme rays are normals of an edge plane of either
-// triangle or of a plane through one corner of each: if there is a separating plane, one of these fifteen is.
+// normals of such planes form a cone, whose extreme rays are normals of an edge plane of a triangle or of a
+// plane through one corner of each. So if any plane separates them, one of these fifteen does.
 bool cones_overlap(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (separates(a[k], a[(k + 1) % 3], a, b) || separates(b[k], b[(k + 1) % 3], a, b)) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Is a surface star-shaped about the centre, so that one radius a direction tells all of it?
+// Tells whether a surface is star-shaped about the centre, so that one radius in each direction describes it.
 #pragma once
 
 #include <array>
@@ -10,27 +10,27 @@
 
 namespace impinge {
 
-/// What keeps a surface from being star-shaped, and how much of it.
+/// Whether a surface is star-shaped, and if not, what is in the way and how much of it.
 struct StarShapeReport {
-  /// Proven: all faces lie on one side (n.v0 > 0, or all < 0 as in a socket) and no two faces overlap as seen
-  /// from the centre. Both are decided with exact signs.
+  /// True if all faces look to one side (n.v0 > 0, or all < 0 as in a socket) and no two faces overlap as
+  /// seen from the centre. Both are decided by exact signs.
   bool star_shaped = false;
   std::size_t front_facing = 0;  // faces with n.v0 > 0, normals away from the centre
   std::size_t back_facing = 0;   // n.v0 < 0
   std::size_t edge_on = 0;       // n.v0 = 0: the plane of the face holds the centre
-  /// Pairs of faces that share directions inside both, as seen from the centre; 0 if not counted.
+  /// Number of pairs of faces that share directions inside both, as seen from the centre; 0 if not counted.
   std::size_t overlapping_pairs = 0;
-  /// Signed solid angle of all faces, steradians: 4 pi for a closed body round the centre, 0 for one beside
-  /// it.
+  /// Signed solid angle of all faces, steradians: 4 pi for a closed body round the centre, 0 for a closed
+  /// body beside it.
   double solid_angle = 0.0;
   /// Shares of all directions, measured on a grid of `directions` with area weights.
-  double covered = 0.0;        // meet the surface
-  double violating = 0.0;      // meet it more than once
+  double covered = 0.0;        // of directions that meet the surface
+  double violating = 0.0;      // of directions that meet it more than once
   std::size_t directions = 0;  // of the grid
 };
 
-/// mesh in the centre frame, with lengths as in mesh/lengths.hpp. O(faces + directions) for faces of similar
-/// size.
+/// The report on `mesh`, which is in the centre frame, with lengths as in mesh/lengths.hpp. O(faces +
+/// directions) for faces of similar size.
 StarShapeReport star_shape(const TriangleMesh& mesh);
 
 /// Signed solid angle of a triangle seen from the origin, steradians in (-2 pi, 2 pi) (Van Oosterom and

@@ -32,15 +32,15 @@ bool same_word(std::string_view word, std::string_view lower) {
       word, lower, [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b); });
 }
 
-// Are these the three numbers behind n words, the first of which is `word`?
+// Does the line have n words, beginning with `word`, and then three numbers?
 bool has_numbers(const std::vector<std::string_view>& words, std::string_view word, std::ptrdiff_t n) {
   return words.size() == static_cast<std::size_t>(n) + 3 && same_word(words[0], word) &&
          std::all_of(words.begin() + n, words.end(),
                      [](std::string_view w) { return to_number(w).has_value(); });
 }
 
-// Behind "facet normal x y z": outer loop / vertex x y z, three times / endloop / endfacet. Appends the facet
-// to `text`.
+// Reads what follows "facet normal x y z": outer loop / vertex x y z, three times / endloop / endfacet.
+// Appends the facet to `text`.
 void take_facet(const fs::path& file, LineScanner& lines, std::size_t facet, std::string& text) {
   const auto expect = [&](bool right) {
     if (!right) throw_damaged(file, facet);

@@ -54,7 +54,7 @@ std::optional<double> to_number(std::string_view word) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error == std::errc::invalid_argument || end != word.data() + word.size()) return std::nullopt;
   if (error == std::errc::result_out_of_range) {
-    // from_chars does not say which side; a negative exponent is the small one.
+    // from_chars does not say whether the number is too large or too small; a negative exponent means small.
     const bool tiny = word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;
     return tiny ? 0.0 : std::numeric_limits<double>::infinity();
   }

@@ -14,7 +14,7 @@ namespace impinge {
 
 using Triangle = std::array<Vec3, 3>;  // its corners, mm
 
-/// From p to the nearest point between a and b, mm^2.
+/// Squared distance from p to the segment a - b, mm^2.
 inline double squared_distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
   const double squared = along.squaredNorm();
@@ -22,14 +22,14 @@ inline double squared_distance_to_segment(const Vec3& p, const Vec3& a, const Ve
   return (p - a - share * along).squaredNorm();
 }
 
-/// From p to the nearest side of a triangle, mm^2.
+/// Squared distance from p to the nearest side of a triangle, mm^2.
 inline double squared_distance_to_sides(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   return std::min({squared_distance_to_segment(p, a, b), squared_distance_to_segment(p, b, c),
                    squared_distance_to_segment(p, c, a)});
 }
 
-/// From p to a triangle, mm^2: to its plane if p projects into the triangle, else to the nearest edge. A
-/// degenerate triangle counts as its edges.
+/// Squared distance from p to a triangle, mm^2: to its plane if p projects into the triangle, else to the
+/// nearest edge. A degenerate triangle counts as its edges.
 inline double squared_distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = (b - a).cross(c - a);
   const auto inside = [&](const Vec3& from, const Vec3& to) {
@@ -43,14 +43,14 @@ inline double squared_distance_to_triangle(const Vec3& p, const Vec3& a, const V
   return squared_distance_to_sides(p, a, b, c);
 }
 
-/// A point between a and b, the nearest one to p up to rounding.
+/// The point of the segment a - b nearest to p, up to rounding.
 inline Vec3 nearest_point(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
   const double squared = along.squaredNorm();
   return a + (squared > 0.0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0.0) * along;
 }
 
-/// A point of the triangle, the nearest one to p up to rounding: however thin the triangle is, it is one of
+/// The point of the triangle nearest to p, up to rounding. However thin the triangle is, the result is one of
 /// its points up to the rounding of lengths.
 inline Vec3 nearest_point(const Vec3& p, const Triangle& of) {
   const auto& [a, b, c] = of;
@@ -69,8 +69,8 @@ inline Vec3 nearest_point(const Vec3& p, const Triangle& of) {
   return nearest;
 }
 
-/// Between the segments a0 a1 and b0 b1, mm^2: at an end of one of them, or between the two lines if their
-/// nearest points are inside of the segments.
+/// Squared distance between the segments a0 - a1 and b0 - b1, mm^2: at an end of one of them, or between the
+/// two lines if their nearest points are inside of the segments.
 inline double squared_distance_of_segments(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
   const double at_ends =
       std::min({squared_distance_to_segment(a0, b0, b1), squared_distance_to_segment(a1, b0, b1),
@@ -87,7 +87,8 @@ inline double squared_distance_of_segments(const Vec3& a0, const Vec3& a1, const
   return std::min(at_ends, between * between / squared);
 }
 
-/// Between two triangles that do not meet, mm^2: at a corner of one of them or between two edges.
+/// Squared distance between two triangles that do not meet, mm^2: at a corner of one of them or between two
+/// edges.
 inline double squared_distance_of_triangles(const Triangle& s, const Triangle& t) {
   double least = squared_distance_to_triangle(s[0], t[0], t[1], t[2]);
   for (std::size_t i = 0; i < 3; ++i) {

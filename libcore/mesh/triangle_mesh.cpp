@@ -24,7 +24,7 @@ TriangleMesh relative_to(TriangleMesh mesh, const Vec3& centre) {
   return mesh;
 }
 
-// Not in place, which LLVM 14 compiled wrongly for WebAssembly (the top CMakeLists.txt).
+// Not done in place, which LLVM 14 compiled wrongly for WebAssembly (see the top CMakeLists.txt).
 std::vector<Vec3> mapped(const Eigen::Matrix3d& matrix, const std::vector<Vec3>& points) {
   std::vector<Vec3> images;
   images.reserve(points.size());

@@ -11,16 +11,16 @@
 
 namespace impinge {
 
-using VertexIndex = std::uint32_t;  // place in the vertices of a mesh
+using VertexIndex = std::uint32_t;  // index into the vertices of a mesh
 
-/// Corners of a face, counter-clockwise seen from outside.
+/// The corners of a face, counter-clockwise as seen from outside.
 using Face = std::array<VertexIndex, 3>;
 
 /// Points in millimetres. Nothing is promised about closedness, orientation or duplicates; see
 /// validation.hpp.
 struct TriangleMesh {
   std::vector<Vec3> vertices;  // mm
-  std::vector<Face> faces;     // their corners are places in `vertices`
+  std::vector<Face> faces;     // their corners are indices into `vertices`
 };
 
 /// Corner k (0, 1 or 2) of a face, mm.
@@ -41,7 +41,7 @@ inline TriangleCone cone_of(const TriangleMesh& mesh, const Face& face) {
 /// Vector along the outward normal whose length is twice the area of the face (mm^2).
 Vec3 area_vector(const TriangleMesh& mesh, const Face& face);
 
-/// Share of the surface that belongs to each vertex: a third of the area of its faces (mm^2).
+/// The area that belongs to each vertex: a third of the area of its faces (mm^2).
 std::vector<double> vertex_areas(const TriangleMesh& mesh);
 
 /// The same mesh with `centre` as origin (input frame to centre frame).

@@ -10,20 +10,20 @@
 namespace impinge {
 namespace {
 
-constexpr std::size_t kAtOnce = 4;  // edges of a vertex that are compared without a loop: three are usual
-// Edges of a vertex that are gone through for each of them. Of the hub of a larger fan they count as
-// unpaired, so that the time stays linear.
+constexpr std::size_t kAtOnce = 4;  // so many edges of a vertex are compared without a loop; three are usual
+// Up to so many edges of a vertex are gone through for each of them. Edges of the hub of a larger fan count
+// as unpaired, so that the time stays linear.
 constexpr std::size_t kMostGoneThrough = 64;
 
-// A side of a face, as it runs through it once that it is turned round.
+// A side of a face in its direction, after faces of side -1 are turned round.
 struct Run {
   VertexIndex from, to;
 
   bool upwards() const { return from < to; }
 };
 
-// Upper ends of the edges that run upwards, those of lower end v from upper[first[v]] to upper[first[v + 1]].
-// One that has met its partner is replaced by its lower end.
+// The upper ends of the edges that run upwards; edges with the lower end v are at upper[first[v]] to
+// upper[first[v + 1]]. The upper end is replaced by the lower end once the edge has met its partner.
 struct Upwards {
   std::vector<std::uint32_t> first;
   std::vector<VertexIndex> upper;
@@ -42,7 +42,7 @@ void for_each_run(const TriangleMesh& mesh, std::span<const std::int8_t> sides, 
   }
 }
 
-// A counting sort by the lower ends.
+// Sorts the edges that run upwards by their lower ends, by counting.
 Upwards upwards(const TriangleMesh& mesh, std::span<const std::int8_t> sides) {
   Upwards all;
   all.first.assign(mesh.vertices.size() + 2, 0);
@@ -55,8 +55,8 @@ Upwards upwards(const TriangleMesh& mesh, std::span<const std::int8_t> sides) {
   return all;
 }
 
-// Takes the one edge to `upper` from those of `lower`; false where there is none, or another one, or where
-// there are too many to look.
+// Takes the one edge from `lower` to `upper`; false if there is none, more than one, or if there are too many
+// edges to look.
 bool take(VertexIndex lower, VertexIndex upper, Upwards& all) {
   const std::uint32_t first = all.first[lower];
   const std::uint32_t count = all.first[lower + 1] - first;

@@ -96,7 +96,7 @@ void count_flips(const TriangleMesh& mesh, const EdgeList& list, MeshReport& rep
   for (const auto& [same, opposite] : sides) report.flipped_faces += std::min(same, opposite);
 }
 
-// Divergence theorem, relative to a vertex so that a far origin costs no digits.
+// By the divergence theorem, relative to a vertex, so that a far origin costs no digits.
 double signed_volume(const TriangleMesh& mesh) {
   const Vec3 origin = mesh.vertices.front();
   double six_times = 0.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is wrong with a mesh, in numbers. Nothing is repaired and nothing thrown: any mesh gets a report.
+// Reports what is wrong with a mesh, in numbers. Nothing is repaired and nothing thrown: any mesh gets a
+// report.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace impinge {
 struct MeshReport {
   std::size_t vertices = 0;               // of the mesh, referenced or not
   std::size_t faces = 0;                  // of the mesh, valid or not
-  std::size_t unreferenced_vertices = 0;  // corner of no face
+  std::size_t unreferenced_vertices = 0;  // corners of no face
   std::size_t non_finite_vertices = 0;    // with a NaN or infinite coordinate
   std::size_t invalid_faces = 0;          // with a vertex index that does not exist
   std::size_t degenerate_faces = 0;       // a corner twice, or no area (exactly, see collinear.hpp)
@@ -29,13 +30,13 @@ struct MeshReport {
 
   /// Does every edge have exactly two faces?
   bool closed() const;
-  /// Adds the counts of another mesh that is put behind this one; there is a volume if both have one.
+  /// Adds the counts of another mesh that is appended to this one; there is a volume if both have one.
   MeshReport& operator+=(const MeshReport& other);
 };
 
-/// Orientation is carried over the edges with two faces: neighbours agree when they run through their edge in
-/// opposite directions. In each part connected that way the faces of the smaller group count as flipped; a
-/// part that is inside out as a whole has none and shows as a negative volume.
+/// The report on a mesh. Two faces at an edge agree if they run through it in opposite directions. In each
+/// part that is connected over edges with two faces, the faces of the smaller group count as flipped; a part
+/// that is inside out as a whole has none, and shows as a negative volume.
 MeshReport validate(const TriangleMesh& mesh);
 
 /// One line with the sizes and, if anything is wrong, a second one that lists it. No line end after the last.

@@ -13,7 +13,7 @@ struct VertexRing {
   std::size_t first;  // index of the first vertex
   std::size_t size;   // number of vertices, 1 or more
 
-  std::size_t steps() const { return size == 1 ? 0 : size; }  // faces along the ring: a pole has none
+  std::size_t steps() const { return size == 1 ? 0 : size; }  // faces along the ring; a pole has none
   /// Index of vertex k; k beyond the end wraps round.
   VertexIndex operator[](std::size_t k) const { return static_cast<VertexIndex>(first + k % size); }
 };

@@ -91,7 +91,8 @@ class VtkReader {
     }
   }
 
-  // Each with its number of corners in front; of version 5 on, where each ends, then all corners.
+  // The cells. Each has its number of corners before its corners; from version 5 on, the ends of all cells
+  // come first, then all corners.
   Cells cells(const std::string& word) {
     const std::size_t n = next_count(word);
     const std::size_t size = next_count(word);
@@ -136,13 +137,14 @@ class VtkReader {
     }
   }
 
-  // To the next empty line.
+  // Skips to the next empty line.
   void skip_metadata() {
     next_line();
     while (!next_line().empty()) continue;
   }
 
-  // In binary files with their length in front, whose first two bits say how long that is.
+  // Skips n strings. In binary files each has its length before it, whose first two bits say how long that
+  // is.
   void skip_strings(std::size_t n) {
     next_line();
     for (; n > 0; --n) {
@@ -165,7 +167,7 @@ class VtkReader {
     const auto* const known = std::ranges::find(kVtkTypes, type, &VtkType::name);
     if (known == kVtkTypes.end() || n > rest_.size()) throw_damaged(what);
     std::vector<double> found;
-    if (binary_) next_line();  // numbers begin with the next
+    if (binary_) next_line();  // numbers begin on the next line
     if (binary_ && n > rest_.size() / known->type.size) throw_damaged(what);
     for (; n > 0; --n) {
       const std::optional<double> x = binary_ ? number_at(rest_, known->type, true) : to_number(next_word());
@@ -182,7 +184,7 @@ class VtkReader {
     return static_cast<std::size_t>(*n);
   }
 
-  // In lower case; empty at the end.
+  // The next word in lower case; empty at the end.
   std::string next_word() {
     constexpr std::string_view kWordEnds = " \t\r\n\v\f";
     rest_.remove_prefix(std::min(rest_.find_first_not_of(kWordEnds), rest_.size()));
@@ -192,7 +194,7 @@ class VtkReader {
     return word;
   }
 
-  // What is left of the line.
+  // The rest of the line.
   std::string next_line() {
     LineScanner lines(rest_);
     std::string line(lines.next().value_or(""));

@@ -40,7 +40,7 @@ std::string polys_text(const TriangleMesh& mesh) {
          data_array(R"(type="Int32" Name="offsets" format="ascii")", ends);
 }
 
-// In front of the values their size in bytes.
+// The values in base64, with their size in bytes before them.
 std::string values_text(const VertexValues& of) {
   std::string bytes;
   append_bits(bytes, static_cast<std::uint32_t>(of.values.size() * sizeof(double)));
@@ -49,7 +49,7 @@ std::string values_text(const VertexValues& of) {
                     base64_of(bytes));
 }
 
-// The codes of the letters, and a 0.
+// The axes as the codes of their letters, and a 0.
 std::string space_text(const MeshNotes& notes) {
   if (space_of(notes).empty()) return "";
   std::string codes;
@@ -102,7 +102,7 @@ std::string vtp_bytes(const TriangleMesh& mesh, const MeshNotes& notes) {
          "</Points>\n<Polys>\n" + polys_text(mesh) + "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
-// Beyond the first, values are fields: readers take one scalar.
+// All values but the first are fields, as readers take one scalar.
 std::string vtk_bytes(const TriangleMesh& mesh, const MeshNotes& notes) {
   const std::string points = std::to_string(mesh.vertices.size());
   const std::size_t faces = mesh.faces.size();

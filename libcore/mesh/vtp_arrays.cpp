@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view kVtpEnd = "</VTKFile>";
 constexpr std::string_view kAppended = "<AppendedData";
 constexpr std::string_view kXmlBlanks = " \t\r\n\v\f";
-constexpr std::size_t kMostZlib = 1100;  // deflate makes no more bytes of one
+constexpr std::size_t kMostZlib = 1100;  // one byte never unpacks to more bytes
 
 struct VtpType {
   std::string_view name;
@@ -47,8 +47,8 @@ int sextet(char c) {
   return at == kDigits.npos ? -1 : static_cast<int>(at);
 }
 
-// The first bytes that the text holds, `most` or less. What ends in = may go on: a header is often written
-// apart from what it is of.
+// The first bytes that the text holds, at most `most`. Text that ends in = may go on, as a header is often
+// encoded apart from its data.
 std::string from_base64(std::string_view text, std::size_t most) {
   std::string bytes;
   unsigned bits = 0;
@@ -68,7 +68,7 @@ std::string from_base64(std::string_view text, std::size_t most) {
   return bytes;
 }
 
-// Data of unknown length: what is asked for is decoded.
+// Encoded data of unknown length; only what is asked for is decoded.
 struct EncodedBytes {
   std::string_view rest;
   bool in_base64 = false;
@@ -80,13 +80,13 @@ struct EncodedBytes {
   }
 };
 
-// The numbers in front of data: sizes.
+// The numbers before data, which are sizes.
 class SizeHeader {
  public:
   SizeHeader(const EncodedBytes& from, std::size_t size, bool big_endian)
       : from_(from), type_{size, false, false}, big_endian_(big_endian) {}
 
-  // The first n of them; none if they are not there, or one is larger than any file that is read.
+  // The first n sizes; std::nullopt if they are missing, or one is larger than any file that is read.
   std::optional<std::vector<std::size_t>> sizes(std::size_t n) const {
     if (n > from_.rest.size()) return std::nullopt;
     const std::optional<std::string> bytes = from_.first(n * type_.size);
@@ -117,7 +117,8 @@ bool inflate(std::string_view packed, std::size_t size, std::string& bytes) {
          length == size;
 }
 
-// In front: number of blocks, size of a block, size of the last one (0: as the others), packed sizes.
+// Unpacks data. Before them are the number of blocks, the size of a block, the size of the last one (0: as
+// the others), and the packed sizes.
 std::optional<std::string> unpacked(const EncodedBytes& data, const SizeHeader& header, std::size_t size) {
   const auto blocks = header.sizes(1);
   if (!blocks) return std::nullopt;

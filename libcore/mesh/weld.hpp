@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One vertex instead of several at the same place.
+// Replaces several vertices at the same place by one.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace impinge {
 
-/// For each vertex the first one with equal coordinates (-0 equals 0); one with a NaN is its own.
+/// For each vertex the first vertex with equal coordinates (-0 equals 0); a vertex with a NaN is its own.
 std::vector<VertexIndex> first_at_place(const std::vector<Vec3>& vertices);
 
-/// Merges vertices with equal coordinates (-0 equals 0) into the first of them; faces of which two corners
-/// become one are left out. A vertex with a NaN is never merged. Vertices of no face are kept; the order
+/// Merges vertices with equal coordinates (-0 equals 0) into the first of them, and leaves out faces two of
+/// whose corners become one. A vertex with a NaN is never merged. Vertices of no face are kept; the order
 /// stays. Throws std::out_of_range if a face names a vertex that does not exist.
 TriangleMesh weld(const TriangleMesh& mesh);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exchange of arrays with NumPy: views without copies, and loops without Python's lock.
+// Exchanges arrays with NumPy: views without copies, and loops without Python's lock.
 #pragma once
 
 #include <cstddef>
@@ -20,10 +20,10 @@ namespace py = pybind11;
 
 /// Any array; copied and converted if it is not one of doubles in C order.
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
-/// The same of unsigned 32-bit integers.
+/// Any array; copied and converted if it is not one of unsigned 32-bit integers in C order.
 using Indices = py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>;
 
-/// A read-only view, shape (rows, columns) or (rows,) for one column, of numbers that `owner` keeps alive.
+/// A read-only view of numbers that `owner` keeps alive; shape (rows, columns), or (rows,) for one column.
 template <class Number>
 py::array view_of(const Number* first, std::size_t rows, std::size_t columns, const py::handle& owner) {
   const auto shape = columns == 1 ? std::vector<std::size_t>{rows} : std::vector<std::size_t>{rows, columns};
@@ -32,22 +32,22 @@ py::array view_of(const Number* first, std::size_t rows, std::size_t columns, co
   return view;
 }
 
-/// Points, one a row, of an array of shape (n, 3) or (3,).
+/// The points in an array of shape (n, 3) or (3,), one per row.
 inline std::span<const Vec3> points_of(const Doubles& array) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
   return {reinterpret_cast<const Vec3*>(array.data()), static_cast<std::size_t>(array.size()) / 3};
 }
 
-/// A point or vector as three numbers.
+/// A point or vector as a tuple of three numbers.
 inline py::tuple point_tuple(const Vec3& x) { return py::make_tuple(x.x(), x.y(), x.z()); }
 
-/// A line that may mean that something is wrong, as a UserWarning. Nothing where it is empty.
+/// Issues a line as a UserWarning; nothing if it is empty.
 inline void warn(const std::string& line) {
   if (!line.empty() && PyErr_WarnEx(PyExc_UserWarning, line.c_str(), 1) != 0) throw py::error_already_set();
 }
 
 /// Checks about every 0.1 s whether the user has interrupted, and throws py::error_already_set if so. look()
-/// is called without Python's lock.
+/// must be called without Python's lock.
 class InterruptWatch {
  public:
   void look() {
@@ -63,7 +63,7 @@ class InterruptWatch {
   double worked_ms_ = 0.0;
 };
 
-/// Calls work(k) for all k below `count` without Python's lock; can be interrupted, see InterruptWatch.
+/// Calls work(k) for all k below `count` without Python's lock. It can be interrupted, see InterruptWatch.
 template <class Work>
 void without_lock(std::size_t count, const Work& work) {
   const py::gil_scoped_release released;

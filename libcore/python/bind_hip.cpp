@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a generated hip can be made from.
+// The presets and parameters of a generated hip.
 #include <pybind11/stl.h>
 
 #include "hip/hip_presets.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The class Joint, and the surfaces of one.
+// The class Joint and its surfaces.
 #include <algorithm>
 #include <limits>
 
@@ -14,7 +14,7 @@
 namespace impinge::python {
 namespace {
 
-// One of the two surfaces, for reading.
+// Read access to one of the two surfaces.
 struct SurfaceView {
   SharedJoint joint;
   Surface of;

@@ -54,7 +54,7 @@ py::tuple stencils_of(const AnyScheme& scheme, const Doubles& x) {
   return py::make_tuple(entries, weights, cells);
 }
 
-// A member of the class of a scheme.
+// A text of the scheme's class: its label, or where it was published.
 std::string text_of(const AnyScheme& scheme, bool label) {
   std::string text;
   with_scheme(scheme.name(), [&]<class S>() { text = label ? S::label : S::citation; });

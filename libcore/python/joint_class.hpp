@@ -20,11 +20,11 @@ void bind_making(JointClass& joint);        // read(), from_arrays(), from_hip()
 void bind_pose_answers(JointClass& joint);  // gaps(), touch(), smallest_gap(), matrices()
 void bind_questions(JointClass& joint);
 
-/// Angles, a text of them or matrices (impinge/__init__.pyi says which), as poses of the ball in the centre
-/// frame. std::invalid_argument, one line, for anything else.
+/// The poses of the ball in the centre frame, from angles, a text of them or matrices (impinge/__init__.pyi
+/// says which). Throws std::invalid_argument, one line, for anything else.
 std::vector<Pose> poses_of(const SessionJoint& joint, const pybind11::object& given);
 
-/// Matrices of poses, shape (n, 4, 4), x' = M x in the frame of the meshes, mm.
+/// Poses as matrices, shape (n, 4, 4): x' = M x in the frame of the meshes, mm.
 pybind11::array matrices_of(const SessionJoint& joint, const std::vector<Pose>& poses);
 
 }  // namespace impinge::python

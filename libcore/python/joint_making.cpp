@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From files, arrays or parameters to a joint.
+// Makes a joint from files, arrays or parameters.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -31,7 +31,7 @@ namespace {
 
 using OptionalPoint = std::optional<std::array<double, 3>>;
 
-// Landmarks are a file, or points by their labels.
+// Landmarks: a file, or points by their labels.
 using Marked = std::variant<std::filesystem::path, py::dict>;
 
 Landmarks points_of(const py::dict& given) {
@@ -52,14 +52,14 @@ Landmarks points_of(const py::dict& given) {
   return points;
 }
 
-// What is known of a joint beside its meshes.
+// What is known of a joint besides its meshes.
 struct Placed {
   std::optional<std::string> side;
   std::string axes;
   OptionalPoint centre;
   std::optional<Marked> landmarks;
-  std::optional<double> overlap_mm = 0.0;  // none: the least that leaves no contact as scanned
-  std::vector<std::string> said{};         // of pieces that were left out
+  std::optional<double> overlap_mm = 0.0;  // none: the least for which nothing touches as scanned
+  std::vector<std::string> said{};         // about pieces that were left out
   std::function<CartilageMap(const Vec3& centre)> cartilage{};
 };
 
@@ -94,7 +94,7 @@ SharedJoint joint_of(JointInput input, const Placed& placed) {
       names_of(input));
 }
 
-// Joints that a user brings may be wrong.
+// Issues the joint's warnings, since a user's meshes may be wrong.
 SharedJoint with_warnings(SharedJoint joint) {
   for (const std::string& line : joint->joint().joint.warnings) warn(line);
   return joint;
@@ -107,7 +107,7 @@ py::tuple arrays_of(const TriangleMesh& mesh) {
       py::array_t<std::uint32_t>({rows(mesh.faces), py::ssize_t{3}}, mesh.faces.front().data()));
 }
 
-// Of a file too: a joint that is made again may be elsewhere.
+// Landmarks as points. A file is read here, since the joint may be made again on another machine.
 std::optional<Marked> as_dict(const std::optional<Marked>& given, const std::string& axes) {
   if (!given || std::holds_alternative<py::dict>(*given)) return given;
   const Landmarks read = read_landmarks(std::get<std::filesystem::path>(*given), input_to_joint(axes));
@@ -131,7 +131,7 @@ py::tuple state_of(const NamedMesh& bone) {
   return py::make_tuple(bone.name, arrays_of(bone.mesh), parts, bone.part_names);
 }
 
-// The joint, which remembers what it was made of.
+// Makes a joint that remembers what it was made of.
 SharedJoint joint_of_meshes(const JointInput& input, const Placed& placed) {
   SharedJoint made = joint_of(input, placed);
   const Joint& joint = made->joint().joint;
@@ -161,7 +161,7 @@ TriangleMesh mesh_of_arrays(const std::string& name, const MeshArrays& arrays) {
                         {faces.data(), static_cast<std::size_t>(faces.size())}});
 }
 
-// A mesh as it is given, of "all" its pieces or the "largest"; says what was left out. `name` of arrays.
+// Reads a mesh, with "all" its pieces or the "largest", and says what was left out. `name` is for arrays.
 TriangleMesh mesh_of_given(const std::string& name, const GivenMesh& given, const std::string& keep,
                            std::vector<std::string>& said) {
   if (keep != "all" && keep != "largest")
@@ -177,8 +177,7 @@ TriangleMesh mesh_of_given(const std::string& name, const GivenMesh& given, cons
   return mesh;
 }
 
-// Bone beside the ball or socket, by the names that answers have: a file's name without its ending, or the
-// key of a dict.
+// Bone beside the ball or socket. Answers name it by its file without the ending, or by the dict's key.
 std::vector<std::pair<std::string, GivenMesh>> parts_of(const char* keyword, const py::object& given) {
   std::vector<std::pair<std::string, GivenMesh>> parts;
   const auto add_file = [&parts](const File& file) { parts.emplace_back(file.stem().string(), file); };
@@ -216,7 +215,7 @@ NamedMesh bone_of(const std::string& name, const GivenMesh& main, const char* ke
   return bone;
 }
 
-// A file, or rows of x, y, z and thickness.
+// The thickness of cartilage from a file, or from rows of x, y, z and thickness.
 std::function<CartilageMap(const Vec3&)> cartilage_of(
     const std::optional<std::variant<File, Doubles>>& given) {
   if (!given) return {};
@@ -242,7 +241,7 @@ std::function<CartilageMap(const Vec3&)> cartilage_of(
   };
 }
 
-// Of two files, or of two pairs of arrays.
+// Makes a joint from two files, or from two pairs of arrays.
 template <class Given>
 SharedJoint joint_of_given(const Given& ball, const Given& socket, const std::optional<std::string>& side,
                            const std::optional<std::string>& axes, const OptionalPoint& centre,
@@ -264,7 +263,7 @@ SharedJoint joint_of_given(const Given& ball, const Given& socket, const std::op
   return with_warnings(joint_of_meshes(input, placed));
 }
 
-// As the programs type it.
+// A parameter as text, as on the command line.
 std::string setting_of(const std::string& name, const py::handle& value) {
   if (py::isinstance<py::str>(value)) return name + "=" + value.cast<std::string>();
   char text[32];
@@ -316,7 +315,7 @@ CartilageMap cartilage_of_state(const py::tuple& state) {
   return {{directions.begin(), directions.end()}, state[1].cast<std::vector<double>>()};
 }
 
-// What it was told of when it was first made is not told again.
+// Makes a joint again; warnings of the first time are not repeated.
 SharedJoint made_again(const py::tuple& state) {
   if (state.size() == 3)
     return joint_of_hip(state[0].cast<std::string>(), state[1].cast<std::size_t>(), py::kwargs(state[2]));

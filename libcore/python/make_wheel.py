@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""/usr/bin/python3 libcore/python/make_wheel.py FOLDER: a wheel of the module with the libraries that it needs beside it, each under a
-name of its own, and their licenses. It builds without the network, by the packages of `pip install` (libcore/README.md) and patchelf,
-and is for the same Python where glibc and libstdc++, which stay out, are no older than here."""
+"""/usr/bin/python3 libcore/python/make_wheel.py FOLDER: makes a wheel of the module. It carries the libraries that the module needs,
+each under a new name, and their licenses. The build needs no network, only the packages of `pip install` (libcore/README.md) and
+patchelf. The wheel works with the same Python where glibc and libstdc++, which it does not carry, are no older than here."""
 import hashlib
 import re
 import shutil
@@ -22,13 +22,13 @@ def run(*words):
 
 
 def libraries(module):
-    """Where each library lies that the module needs, or one of these."""
+    """Where the libraries lie that a module or library needs, by name."""
     found = dict(re.findall(r"^\s*(\S+) => (\S+)", run("ldd", module), re.MULTILINE))
     return {name: Path(path).resolve() for name, path in found.items() if not name.startswith(STAY)}
 
 
 def carry(module, licenses):
-    """Puts them beside the module, which then looks for them there alone."""
+    """Puts the libraries beside the module, which then looks for them only there."""
     needed = libraries(module)
     own = {name: re.sub(r"\.so", f"-{hashlib.sha256(file.read_bytes()).hexdigest()[:8]}.so", name, count=1) for name, file in needed.items()}
     for name, file in needed.items():

@@ -4,7 +4,7 @@
 
 PYBIND11_MODULE(_impinge, module) {
   pybind11::options options;
-  options.disable_function_signatures();  // docstrings begin with their own, which inspect reads
+  options.disable_function_signatures();  // docstrings begin with their own, for inspect
   module.attr("__version__") = IMPINGE_VERSION;
   module.doc() = "Gaps, contact and limits of ball-and-socket joints. Lengths in mm, angles in degrees.";
   pybind11::register_exception<impinge::FileError>(module, "FileError", PyExc_RuntimeError).attr("__doc__") =

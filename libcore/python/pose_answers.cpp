@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What many poses are asked: arrays in, arrays out.
+// Questions about many poses, from arrays to arrays.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -16,7 +16,7 @@ namespace {
 
 using Floats = py::array_t<float>;
 
-// Where gaps of the vertices of a surface go: the array that was given, or a new one.
+// The array for the gaps of a surface's vertices: the given one, or a new one.
 Floats gap_array(const PoseJoint& joint, Surface of, std::size_t poses, const py::object& given) {
   const std::array<py::ssize_t, 2> shape{static_cast<py::ssize_t>(poses),
                                          static_cast<py::ssize_t>(joint.joint().mesh(of).vertices.size())};
@@ -37,7 +37,7 @@ Floats gap_array(const PoseJoint& joint, Surface of, std::size_t poses, const py
 struct GapRows {
   explicit GapRows(Floats& gaps)
       : first(gaps.mutable_data()), width(static_cast<std::size_t>(gaps.shape(1))) {}
-  // Those of the main surface, which has `of_main` vertices; parts behind it have none.
+  // The main surface's gaps, of `of_main` vertices; the parts behind it have none.
   std::span<float> main(std::size_t pose, std::size_t of_main) const {
     const std::span<float> row(first + pose * width, width);
     std::ranges::fill(row.subspan(of_main), std::numeric_limits<float>::quiet_NaN());

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A joint with the tables that its questions need, made when first asked for. Several threads may ask at the
-// same time.
+// A joint with the tables that its questions need, made at first use. Several threads may ask at once.
 #pragma once
 
 #include <map>
@@ -19,7 +18,7 @@
 
 namespace impinge::python {
 
-using PoseTable = PackedTable<CubeGnomonic, std::uint16_t>;  // that answers at a precision
+using PoseTable = PackedTable<CubeGnomonic, std::uint16_t>;  // answers questions that ask for a precision
 
 class PoseJoint {
  public:
@@ -33,14 +32,14 @@ class PoseJoint {
   SessionJoint& joint() { return *session_.joint; }
   const JointNames& names() const { return names_; }
 
-  /// What pickle keeps: with it the joint can be made again.
+  /// What pickle keeps; the joint can be made again from it.
   pybind11::tuple made_of;
 
-  /// The exact cells of the faces; and tables of `cube_gnomonic` in 16 bits at a precision in degrees.
+  /// The exact cells of the faces, and tables of `cube_gnomonic` in 16 bits at a precision in degrees.
   const PackedJoint<ExactCells>& cells();
   const PackedJoint<PoseTable>& tables(double precision_deg);
 
-  /// These answer one call at a time: a second thread waits.
+  /// These serve one call at a time; a second thread waits.
   PoseRow row(PosesOutput output, const Pose& pose);
   double cartilage_of_scan() {
     const std::scoped_lock lock(busy_);
@@ -53,10 +52,10 @@ class PoseJoint {
   }
 
  private:
-  std::mutex busy_;   // held while something is made, or asked that keeps what it made
-  JointNames names_;  // of its meshes, in documents
+  std::mutex busy_;   // held while something is made, or kept things are used
+  JointNames names_;  // names of its meshes in documents
   Session session_;
-  BallSocketPair cells_of_;  // meshes that these borrow
+  BallSocketPair cells_of_;  // meshes that the cells refer to
   std::unique_ptr<const PackedJoint<ExactCells>> cells_;
   std::map<double, std::unique_ptr<const PackedJoint<PoseTable>>> tables_;  // by precision
   std::map<PosesOutput, std::unique_ptr<PoseSeries>> series_;

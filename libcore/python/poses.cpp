@@ -26,7 +26,7 @@ constexpr const char* kAdvice =
 
 std::string shape_text(const py::array& array) { return py::str(array.attr("shape")); }
 
-// Text that no number can be made of gives a message of NumPy's.
+// Replaces NumPy's own message for text that is no number.
 Doubles numbers_of(const py::object& given) {
   auto array = Doubles::ensure(given);
   if (!array) {
@@ -52,7 +52,7 @@ Pose turned(const SessionJoint& joint, const Motion& motion) {
   }
 }
 
-// Rows of 3 or 4 quaternions have the shape of one matrix, which they are not.
+// Three or four quaternions have the shape of a matrix, so the message mentions them.
 [[noreturn]] void refuse_matrix(const py::array& array, std::size_t place, const std::string& what) {
   throw std::invalid_argument("poses: matrix " + std::to_string(place) + " " + what +
                               (array.ndim() == 2 ? "; quaternions, 3 or 4, need the shape (n, 1, 4)" : ""));
@@ -66,7 +66,7 @@ Pose placed(const SessionJoint& joint, const py::array& array, const double* row
   return pose_about(joint.joint.centre, *rotation, matrix.col(3));
 }
 
-// About the centre, in the axes of the meshes.
+// A rotation about the centre, in the axes of the meshes.
 Pose turned_by(const double* wxyz, std::size_t place) {
   const Eigen::Quaterniond given(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
   if (!(std::abs(given.norm() - 1.0) <= kLargestLengthError))

@@ -17,7 +17,7 @@ Json json_of_arguments(const py::args& args, const py::kwargs& named,
     given[name] = value;
   }
   const auto dumps = py::module_::import("json").attr("dumps");
-  const auto plain = py::cpp_function([](const py::object& value) {  // of an array or a path
+  const auto plain = py::cpp_function([](const py::object& value) {  // an array or a path
     return py::hasattr(value, "tolist") ? value.attr("tolist")()
                                         : py::module_::import("os").attr("fspath")(value);
   });
@@ -27,7 +27,7 @@ Json json_of_arguments(const py::args& args, const py::kwargs& named,
     const auto text = dumps(value, py::arg("default") = plain).cast<std::string>();
     if ((arguments[key] = Json::parse(text, nullptr, /*allow_exceptions=*/false)).is_discarded())
       throw std::invalid_argument(
-          (key + ": ").append(text).append(" is not finite; give a number"));  // NaN, Infinity
+          (key + ": ").append(text).append(" is not finite; give a number"));  // NaN or infinity
   }
   return arguments;
 }

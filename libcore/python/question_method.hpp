@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A question of a joint as a method: arguments fill a request (files/fields.hpp), in the order of its fields
-// or by their names; the answer is its document as a dict.
+// Makes a method of a question about a joint. Arguments fill a request (files/fields.hpp), in the order of
+// its fields or by name; the answer is its document as a dict.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@
 
 namespace impinge::python {
 
-/// JSON of arguments, of which arrays of NumPy become lists.
+/// Arguments as JSON; arrays of NumPy become lists.
 Json json_of_arguments(const py::args& args, const py::kwargs& named,
                        std::span<const std::string_view> fields);
-/// Dicts, lists, numbers and texts of JSON.
+/// JSON as dicts, lists, numbers and texts.
 py::object object_of(const Json& document);
 
 /// `text`, then a line for each field of the request and of the answer.
@@ -42,7 +42,7 @@ auto ask_once(PoseJoint& joint, const Request& request) {
   return joint.ask(request);
 }
 
-/// What the arguments ask.
+/// The request that the arguments make.
 template <Described Request>
 Request request_of(const py::args& args, const py::kwargs& named) {
   std::vector<std::string_view> fields;
@@ -53,8 +53,8 @@ Request request_of(const py::args& args, const py::kwargs& named) {
   return request;
 }
 
-/// `(self, KEYWORD=DEFAULT, ...)` as inspect.signature() reads it at the beginning of a docstring; `self` may
-/// be "self, out".
+/// `(self, KEYWORD=DEFAULT, ...)` for the beginning of a docstring, where inspect.signature() reads it;
+/// `self` may be "self, out".
 template <Described Request>
 std::string signature_of(const char* name, const char* self = "self") {
   std::string line = std::string(name) + "(" + self;
@@ -65,8 +65,8 @@ std::string signature_of(const char* name, const char* self = "self") {
   return line + ")\n--\n\n";
 }
 
-/// Adds the method, and its name by that of the question to the class' `_questions`. `more(joint, answer,
-/// dict)` adds what is no JSON, such as arrays; `ask`, without Python's lock, may look for interrupts.
+/// Adds the method to the class, and its name to `_questions`. `more(joint, answer, dict)` adds what is not
+/// JSON, such as arrays. `ask` runs without Python's lock and may look for interrupts.
 template <Described Request, Described Answer>
 void bind_question(JointClass& joint, const char* name, std::string_view text,
                    void (*more)(PoseJoint&, const Answer&, py::dict&) = nullptr,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The questions as methods, with the arrays that are no JSON.
+// The questions as methods, with those arrays that are not JSON.
 #include <algorithm>
 #include <filesystem>
 
@@ -24,7 +24,7 @@
 namespace impinge::python {
 namespace {
 
-// Of resected_ball.ply or resected_socket.ply.
+// Adds the mesh of resected_ball.ply or resected_socket.ply.
 void add_mesh(PoseJoint& /*joint*/, const ResectAnswer& cut, py::dict& found) {
   const auto rows = [](const auto& list) { return static_cast<py::ssize_t>(list.size()); };
   const auto& [vertices, faces] = std::tie(cut.mesh.vertices, cut.mesh.faces);
@@ -33,7 +33,7 @@ void add_mesh(PoseJoint& /*joint*/, const ResectAnswer& cut, py::dict& found) {
   found["depth"] = py::array_t<double>(rows(cut.depth), cut.depth.data());
 }
 
-// Of gaps.csv and distances.csv.
+// Adds the numbers of gaps.csv and distances.csv.
 void add_vertices(PoseJoint& /*joint*/, const GapsAnswer& answer, py::dict& found) {
   for (const char* key : {"gap", "bound", "distance"}) found[key] = py::dict();
   for (const Surface surface : kSurfaces) {
@@ -56,7 +56,7 @@ void add_vertices(PoseJoint& /*joint*/, const GapsAnswer& answer, py::dict& foun
   }
 }
 
-// The rows of poses.csv beside the document.
+// The rows of poses.csv, besides the document.
 struct PosesRows : PosesAnswer {
   std::vector<PoseRow> rows;
   PoseList list;
@@ -149,7 +149,7 @@ auto ask_watched(PoseJoint& joint, const Request& request) {
                               .reached = [&watch](std::span<const CellVerdict>, double) { watch.look(); }});
 }
 
-// The folder of `impinge report`.
+// Writes the folder of `impinge report`.
 py::object report(PoseJoint& joint, const std::filesystem::path& out, const py::args& args,
                   const py::kwargs& named) {
   const auto request = request_of<ReportRequest>(args, named);
@@ -177,7 +177,7 @@ py::object report(PoseJoint& joint, const std::filesystem::path& out, const py::
   return object_of(document["answer"]);
 }
 
-// A gap that is there from the start, where nothing touches, is worth a word.
+// Warns if nothing touches at the start but the gap is already below the threshold.
 void warn_of_start(PoseJoint& joint, const LimitsAnswer& found, py::dict& /*answer*/) {
   const auto blocked = [&](bool by_gap) {
     return std::find_if(found.limits.begin(), found.limits.end(), [&](const LimitAnswer& limit) {

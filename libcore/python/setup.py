@@ -28,7 +28,7 @@ class CMakeBuild(build_ext):
 
 
 def numpy_that_works() -> str:
-    """pybind11 knows NumPy 2 from 2.12 on; Debian 12 has 2.10."""
+    """The NumPy that this pybind11 works with: NumPy 2 needs pybind11 2.12, and Debian 12 has 2.10."""
     header = Path("/usr/include/pybind11/detail/common.h")
     said = re.search(r"PYBIND11_VERSION_MINOR (\d+)", header.read_text(encoding="utf-8")) if header.exists() else None
     return "numpy<2" if said and int(said[1]) < 12 else "numpy"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The part of impinge/__init__.pyi that follows from the schemas of the program's documents.
+"""Makes the part of impinge/__init__.pyi that follows from the schemas of the program's documents.
 
     stubs.py IMPINGE             says whether the file has it; exit code 1 where it has not
     stubs.py IMPINGE --write     puts it there
@@ -25,7 +25,7 @@ def camel(key):
 
 
 class Dicts:
-    """TypedDicts by their names, each with its text."""
+    """The text of each TypedDict, by its name."""
 
     def __init__(self):
         self.made = {}
@@ -59,7 +59,7 @@ class Dicts:
 
 
 def parts(program):
-    """What stands before the class Joint, and what in it."""
+    """The text before the class Joint, and its methods."""
     dicts, methods = Dicts(), []
     for question in DOCUMENTS + QUESTIONS:
         schema = json.loads(subprocess.run([program, question, "--schema"], capture_output=True, text=True, check=True).stdout)

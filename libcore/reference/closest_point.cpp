@@ -28,7 +28,7 @@ void keep_least(ExactRatio& least, const ExactRatio& other) {
   if (other < least) least = other;
 }
 
-// From the edge between two corners, where the foot of x lies between them.
+// Takes the distance from the edge between two corners, if the foot of x lies between them.
 void keep_edge(const ExactVector& from, const ExactVector& to, const ExactVector& x, ExactRatio& least) {
   const ExactVector e = to - from;
   const ExactNumber along = e * (x - from);
@@ -37,7 +37,7 @@ void keep_edge(const ExactVector& from, const ExactVector& to, const ExactVector
   keep_least(least, {CGAL::cross_product(e, x - from).squared_length(), length});
 }
 
-// From the plane of the face, where the foot of x lies in the face.
+// Takes the distance from the plane of the face, if the foot of x lies in the face.
 void keep_plane(const Corners& c, const ExactVector& x, ExactRatio& least) {
   const ExactVector n = CGAL::cross_product(c[1] - c[0], c[2] - c[0]);
   const ExactNumber area = n * n;
@@ -58,7 +58,7 @@ class ClosestPoint {
       const Kernel::Triangle_3 triangle(kernel_point(corner(mesh, face, 0)),
                                         kernel_point(corner(mesh, face, 1)),
                                         kernel_point(corner(mesh, face, 2)));
-      // CGAL's predicates do not take faces without area; those few are looked at one by one.
+      // CGAL's predicates do not take faces without area; these few are tried one by one.
       (triangle.is_degenerate() ? degenerate_ : proper_).push_back(f);
       if (!triangle.is_degenerate()) triangles_.push_back(triangle);
     }
@@ -75,8 +75,8 @@ class ClosestPoint {
     };
     for (const std::size_t f : degenerate_) look_at(f);
     if (!triangles_.empty()) {
-      // The tree finds a face that is nearest up to rounding. Every nearer one meets the ball that reaches
-      // it.
+      // The tree finds a face that is nearest up to rounding. Every nearer face meets the ball about x that
+      // reaches this one.
       look_at(face_of(tree_.closest_point_and_primitive(kernel_point(x)).second));
       const double reach = nearest_root(*least) * kEnlarged;
       if (reach == 0.0) return 0.0;
@@ -106,7 +106,7 @@ class ClosestPoint {
 
   const TriangleMesh& mesh_;
   std::vector<std::size_t> proper_;      // faces with area, in the order of triangles_
-  std::vector<std::size_t> degenerate_;  // faces without
+  std::vector<std::size_t> degenerate_;  // faces without area
   Triangles triangles_;
   BoxTree tree_;
 };

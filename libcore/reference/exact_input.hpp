@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the exact references refuse, each with a line that names it and says what to do.
+// Refuses input that the exact references cannot take, with a line that names it and says what to do.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace impinge {
 
-/// Throws std::invalid_argument for a mesh without faces, a face that names a vertex that is not there, and
-/// vertices used by a face that are not finite.
+/// Throws std::invalid_argument for a mesh without faces, a face that names a vertex that does not exist, and
+/// a vertex of a face that is not finite.
 void require_exact_input(const TriangleMesh& mesh);
 
 /// Throws std::invalid_argument for a component that is not finite. `what` names a value in the

@@ -20,7 +20,7 @@ using Point = Kernel::Point_3;
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
 
 constexpr std::size_t kDirectionBatch = 1U << 16U;  // directions at a time
-constexpr double kSlack = 1e-9;                     // of a unit vector: far above its rounding
+constexpr double kSlack = 1e-9;                     // far above the rounding of a unit vector
 
 struct Hit {
   std::size_t direction;
@@ -33,7 +33,7 @@ Box box_about(const Vec3& middle, double reach, std::size_t info) {
   return {CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()), info};
 }
 
-// A box round the part of the unit sphere that a face covers: a cap smaller than a hemisphere that holds the
+// A box round the part of the unit sphere that a face covers. A cap smaller than a hemisphere that holds the
 // corners holds the triangle between them, and a ball about the middle of the cap holds the cap.
 Box box_of(const TriangleMesh& mesh, std::size_t f) {
   const Face& face = mesh.faces[f];
@@ -43,7 +43,7 @@ Box box_of(const TriangleMesh& mesh, std::size_t f) {
   double chord = 0.0;
   for (const VertexIndex v : face)
     chord = std::max(chord, (mesh.vertices[v].stableNormalized() - middle).norm());
-  const bool small = sum.norm() > 0.1 && chord < 1.4;  // a hemisphere: 1.414
+  const bool small = sum.norm() > 0.1 && chord < 1.4;  // 1.414 is a hemisphere
   return small ? box_about(middle, chord + kSlack, f) : box_about(Vec3::Zero(), 2.0, f);
 }
 
@@ -56,7 +56,7 @@ class Caster {
     }
   }
 
-  // Faces met by directions first .. last - 1, those of one direction together.
+  // The faces that directions first .. last - 1 meet, direction by direction.
   std::vector<Hit> hits(std::span<const Vec3> directions, std::size_t first, std::size_t last) {
     std::vector<Box> rays;
     rays.reserve(last - first);
@@ -91,8 +91,8 @@ class Caster {
                              kernel_point(corner(mesh_, face, 1)), kernel_point(corner(mesh_, face, 2)));
   }
 
-  // Is u in the closed cone over the face? It is a sum of the corners with weights det(u, b, c), det(a, u, c)
-  // and det(a, b, u), each over det(a, b, c).
+  // Is u in the closed cone over the face? u is the sum of the corners with the weights det(u, b, c), det(a,
+  // u, c) and det(a, b, u), each over det(a, b, c), which must not be negative.
   bool meets(std::size_t f, const Vec3& u) const {
     const Face& face = mesh_.faces[f];
     const std::array<Point, 3> corners{kernel_point(corner(mesh_, face, 0)),

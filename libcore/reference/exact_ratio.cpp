@@ -18,8 +18,8 @@ mpz_class times_power_of_two(const mpz_class& x, long exponent) {
 }  // namespace
 
 // root(A / B 2^e) = root(A 2^s / B) 2^((e - s) / 2). With A 2^s / B between 2^125 and 2^128 the integer root
-// has 63 or 64 bits. Its last bit is set if anything was cut off: a double has 53 bits, so that this
-// decides every tie as the whole root would.
+// has 63 or 64 bits. Its last bit is set if anything was cut off. As a double has 53 bits, this decides every
+// tie as the whole root would.
 double nearest_root(const ExactRatio& ratio) {
   if (ratio.over.is_zero()) return 0.0;
   const mpz_class over(ratio.over.man());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact arithmetic of the reference distances: sums and products of doubles without rounding (CGAL's Gmpzf,
+// Exact arithmetic for the reference distances: sums and products of doubles without rounding (CGAL's Gmpzf,
 // an integer of any length times a power of two), their ratios, and one rounding at the end.
 #pragma once
 
@@ -19,7 +19,7 @@ struct ExactRatio {
   ExactNumber under;  // the denominator
 };
 
-/// Exact, as both denominators are positive.
+/// Compares exactly; both denominators are positive.
 inline bool operator<(const ExactRatio& a, const ExactRatio& b) {
   return a.over * b.under < b.over * a.under;
 }

@@ -8,7 +8,7 @@
 
 namespace impinge {
 
-/// What CGAL calls such numbers and their predicates.
+/// CGAL's kernel with such numbers and predicates.
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 inline Kernel::Point_3 kernel_point(const Vec3& x) { return {x.x(), x.y(), x.z()}; }  // the same point

@@ -33,7 +33,7 @@ bool meets_segment(const TriangleMesh& mesh, const Vec3& from, const Vec3& to) {
                              [&](const Facet& one) { return CGAL::do_intersect(segment, one.first); });
 }
 
-// A power of two times which no coordinate of v is less than the reach, if its largest is not.
+// A power of two that brings the largest coordinate of v beyond the reach.
 double stretch(const Vec3& v, double reach) {
   return std::exp2(1.0 + std::max(0.0, std::ceil(std::log2(reach / v.cwiseAbs().maxCoeff()))));
 }

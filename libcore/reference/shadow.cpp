@@ -11,7 +11,7 @@
 namespace impinge {
 namespace {
 
-constexpr double kShadowSlack = 1e-9;  // radians, and share of a radius: far more than rounding
+constexpr double kShadowSlack = 1e-9;  // in radians and as a share of a radius, far more than rounding
 
 template <class Number>
 using Triple = std::array<Number, 3>;
@@ -36,7 +36,7 @@ Triple<Number> minus(const Triple<Number>& a, const Triple<Number>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-// normal . x + offset >= 0.
+// The points x with normal . x + offset >= 0.
 template <class Number>
 struct HalfSpace {
   Triple<Number> normal;
@@ -45,7 +45,7 @@ struct HalfSpace {
   Number at(const Triple<Number>& x) const { return dot(normal, x) + offset; }
 };
 
-// The four half-spaces of a shadow, or of a pyramid. Empty for a face whose plane holds the centre.
+// The four half-spaces that bound a shadow, or a pyramid. Empty for a face whose plane holds the centre.
 template <class Number>
 std::vector<HalfSpace<Number>> bounds(const Triangle& face, bool shadow) {
   const std::array corner{exactly<Number>(face[0]), exactly<Number>(face[1]), exactly<Number>(face[2])};
@@ -73,7 +73,7 @@ bool holds(const std::vector<HalfSpace<Number>>& planes, const Vec3& x) {
   });
 }
 
-// What of a convex polygon lies in the half-space.
+// The part of a convex polygon in the half-space.
 template <class Number>
 std::vector<Triple<Number>> clipped(const std::vector<Triple<Number>>& polygon,
                                     const HalfSpace<Number>& half_space) {
@@ -94,7 +94,7 @@ std::vector<Triple<Number>> clipped(const std::vector<Triple<Number>>& polygon,
   return kept;
 }
 
-// Has the first face a point in the shadow, or the pyramid, of the second?
+// Does the first face have a point in the shadow, or the pyramid, of the second?
 template <class Number>
 bool meets(const Triangle& cut, const Triangle& of, bool shadow) {
   const auto planes = bounds<Number>(of, shadow);
@@ -103,7 +103,7 @@ bool meets(const Triangle& cut, const Triangle& of, bool shadow) {
   return !planes.empty() && !rest.empty();
 }
 
-// The answer of ask.template operator()<Number>(), in intervals if they decide.
+// The answer of ask.template operator()<Number>(), by intervals if they decide, else by rationals.
 template <class Ask>
 bool answer(const Ask& ask) {
   try {
@@ -136,7 +136,7 @@ bool covers_directions(const Triangle& face) {
   return answer([&]<class Number>() { return !bounds<Number>(face, true).empty(); });
 }
 
-// A corner in the centre has any direction.
+// A corner at the centre has any direction.
 ShadowReference::Seen ShadowReference::see(const Triangle& corners) {
   Seen seen{corners, Vec3::Zero(), 0.0, HUGE_VAL, 0.0};
   for (const Vec3& v : corners) seen.axis += v.stableNormalized();
@@ -149,8 +149,8 @@ ShadowReference::Seen ShadowReference::see(const Triangle& corners) {
   return seen;
 }
 
-// Caps of a quarter turn and more may share directions with any other, and so may those that have no axis. An
-// angle is no less than its chord.
+// May two faces share directions? Caps of a quarter turn and more, and caps without an axis, may share them
+// with any other. An angle is no less than its chord.
 bool ShadowReference::share_directions(const Seen& a, const Seen& b) {
   if (a.angle >= 1.5 || b.angle >= 1.5 || a.axis.norm() < 0.5 || b.axis.norm() < 0.5) return true;
   return (a.axis - b.axis).norm() <= a.angle + b.angle;
@@ -188,7 +188,7 @@ std::vector<bool> ShadowReference::socket_vertices_impinged() const {
   return impinged;
 }
 
-// Asks about the pairs of faces that share directions and in which the ball's is not surely the nearer one.
+// Asks about the pairs of faces that may share directions and in which the ball's face is not surely nearer.
 template <class Meets>
 bool ShadowReference::any_pair(const Meets& meets) const {
   double farthest = 0.0;

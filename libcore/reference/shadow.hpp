@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The oracle of every certified gap: which points of the ball lie behind the socket as the centre sees it, by
-// clipping with CGAL's exact numbers and over all pairs of faces.
+// The oracle for certified gaps: it finds which points of the ball lie behind the socket as the centre sees
+// it, by clipping with CGAL's exact numbers and over all pairs of faces.
 //
 // The shadow of a face Y is {s y : y in Y, s >= 1}, bounded by its plane and by three planes through the
-// centre; its pyramid is {y / s}. Detection decides by signs of determinants at three kinds of places; here
-// the faces of the ball are cut along the four planes, and what is left over is looked at. The two share
-// neither formula nor arithmetic.
+// centre; its pyramid is {y / s}. The library decides by signs of determinants at three kinds of places. Here
+// the faces of the ball are cut along the four planes, and there is contact if something is left. The two
+// share neither formula nor arithmetic.
 #pragma once
 
 #include <vector>
@@ -16,27 +16,28 @@
 namespace impinge {
 
 /// Does x lie in the shadow of the face, its boundary included? False for a face whose plane holds the
-/// centre. Intervals first (CGAL::Interval_nt), rationals where they do not decide.
+/// centre. Exact: by intervals (CGAL::Interval_nt), or by rationals if they do not decide.
 bool in_shadow(const Vec3& x, const Triangle& face);
 
 /// Does x lie between the centre and the face, its boundary included? False for a face whose plane holds the
 /// centre.
 bool in_pyramid(const Vec3& x, const Triangle& face);
 
-/// Has the ball's face, of any kind, a point in the shadow of the socket's? False where the plane of the
-/// socket's face holds the centre.
+/// Does the ball's face, of any kind, have a point in the shadow of the socket's face? False if the plane of
+/// the socket's face holds the centre.
 bool meets_shadow(const Triangle& ball, const Triangle& socket);
 
-/// Has the socket's face, of any kind, a point in the pyramid of the ball's? Likewise.
+/// Does the socket's face, of any kind, have a point in the pyramid of the ball's face? False if the plane of
+/// the ball's face holds the centre.
 bool meets_pyramid(const Triangle& socket, const Triangle& ball);
 
 /// Does the plane of the face not hold the centre, exactly?
 bool covers_directions(const Triangle& face);
 
-/// A joint about the centre of one of its surfaces, every vertex where a pose has put it (mm).
+/// A joint about the centre of one of its surfaces, with every vertex where a pose has put it (mm).
 class ShadowReference {
  public:
-  /// Faces are to be those that cover directions seen from the centres of their own surfaces.
+  /// All faces must cover directions as seen from the centres of their own surfaces.
   ShadowReference(const TriangleMesh& ball, const TriangleMesh& socket);
 
   std::vector<bool> ball_vertices_impinged() const;    // in the shadow of some face of the socket

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An answer as it is kept: its document and its files.
+// The document and the files in which an answer is kept.
 #pragma once
 
 #include <string>
@@ -9,9 +9,8 @@
 
 namespace impinge {
 
-extern const char* const kVersion;  // of the project
-/// Of the sources that it was built from, as git abbreviates it, with "-dirty" where files had changed;
-/// "unknown" outside of git.
+extern const char* const kVersion;  // version of the project
+/// Abbreviated git commit of this build's sources, "-dirty" where files had changed; "unknown" outside git.
 const char* commit();
 
 /// A file of an answer.
@@ -20,7 +19,7 @@ struct AnswerFile {
   std::string bytes;
 };
 
-/// What summary.json holds, but for the names of its `files`. Of the question: its joint (JointDocument),
+/// The contents of summary.json without the names of its `files`: the question's joint (JointDocument),
 /// request, answer and times.
 Json document_of(std::string_view question, Json joint, Json request, Json answer, Json times_ms);
 

@@ -12,7 +12,7 @@
 namespace impinge {
 namespace {
 
-// Of the joint frame: the axis looks from the centre into the socket.
+// Axes in the joint frame; `axis` points from the centre into the socket.
 struct SocketAxes {
   Vec3 twelve;
   Vec3 three;
@@ -48,7 +48,7 @@ UnrolledSocket unrolled(const SessionJoint& joint) {
   return socket;
 }
 
-// The rows and columns that a face may have; all columns where it is about the axis.
+// The rows and columns that a face may cover; all columns if the axis runs through it.
 struct Stretch {
   std::size_t first_row = 0;
   std::size_t last_row = 0;
@@ -70,7 +70,7 @@ Stretch stretch_of(const std::array<Vec3, 3>& corners, const SocketAxes& axes, c
     before = std::min(before, apart);
     after = std::max(after, apart);
   }
-  // An edge may bulge from or towards the axis by a little more than its ends say.
+  // Between its ends an edge may come a little nearer to the axis, or go farther from it.
   const auto row = [](double angle) {
     return static_cast<std::size_t>(std::max(angle, 0.0) / ClockMap::kRowDeg);
   };
@@ -83,8 +83,8 @@ Stretch stretch_of(const std::array<Vec3, 3>& corners, const SocketAxes& axes, c
   return cells;
 }
 
-// The gap where a ray has these weights of the corners; of corners without a gap the others' is taken, as the
-// viewer does. NaN where they weigh more.
+// The gap where a ray meets a face with these weights of its corners. Corners without a gap take the gap of
+// the others, as in the viewer; NaN where they have more than half of the weight.
 double between(const Vec3& weights, const std::array<double, 3>& gaps) {
   double gap = 0.0;
   double met = 0.0;
@@ -101,7 +101,7 @@ void keep_smaller(double& cell, double gap) {
   if (cell == ClockMap::kAbsent || std::isnan(cell) || gap < cell) cell = gap;
 }
 
-// Adds the part of a face that the cells of the map have.
+// Adds a face to the cells of the map that it covers.
 void add_face(const Face& face, const UnrolledSocket& socket, const ClockFace& dial,
               const SurfaceAnswer& gaps, ClockMap& map) {
   const std::array<Vec3, 3> corners{socket.places[face[0]], socket.places[face[1]], socket.places[face[2]]};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The gaps of the socket, unrolled: hours of the rim's clock across, the angle from the socket's axis up.
+// Unrolls the gaps of the socket: the rim's clock hours go across, the angle from the socket's axis goes up.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace impinge {
 
 /// A grid of directions from the centre of rotation; row 0 is nearest to the axis.
 struct ClockMap {
-  static constexpr std::size_t kColumns = 144;  // of five minutes
-  static constexpr double kRowDeg = 3.0;        // of a row
+  static constexpr std::size_t kColumns = 144;  // of five minutes each
+  static constexpr double kRowDeg = 3.0;        // height of a row
   static constexpr double kAbsent = std::numeric_limits<double>::infinity();
 
   /// Angle of a row's middle from the axis, degrees.
@@ -24,17 +24,16 @@ struct ClockMap {
   static double hours(std::size_t column) { return (static_cast<double>(column) + 0.5) * 12.0 / kColumns; }
 
   std::size_t rows = 0;
-  /// By row, then column: mm, NaN where the socket faces no ball, kAbsent where there is no socket.
+  /// By row, then column: mm; NaN where the socket faces no ball, kAbsent where there is no socket.
   std::vector<double> gap_mm;
   std::vector<double> against_cartilage;  // the same gaps, as gap_colour() takes them
-  double touching = 0.0;                  // value of these at which the layers of cartilage touch
+  double touching = 0.0;                  // value in against_cartilage at which the layers touch
 };
 
-/// Between vertices gaps are linear, and of several layers of the socket the one with the smallest counts.
-/// None without a dial.
+/// None without a dial. Gaps are linear between vertices; of several layers the smallest gap counts.
 std::optional<ClockMap> clock_map(const SessionJoint& joint, const GapsAnswer& found);
 
-/// clock_hours,angle_deg,gap_mm of the cells that have a gap.
+/// Rows clock_hours,angle_deg,gap_mm for the cells that have a gap.
 Table clock_table(const ClockMap& map);
 
 }  // namespace impinge

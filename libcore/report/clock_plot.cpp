@@ -15,13 +15,13 @@ constexpr const char* kGrid = "#d5dce2";
 
 std::string css(const Rgb& colour) { return formatted("#%02x%02x%02x", colour[0], colour[1], colour[2]); }
 
-// "7:30" as 7.5.
+// 7.5 for "7:30".
 double hours_of(const std::string& clock) {
   const std::size_t colon = clock.find(':');
   return std::fmod(std::stod(clock.substr(0, colon)) + std::stod(clock.substr(colon + 1)) / 60.0, 12.0);
 }
 
-// The unrolled clock: from 6 over 9, 12 and 3 back to 6.
+// The unrolled clock runs from 6 over 9, 12 and 3 back to 6.
 struct Across {
   double left = 40.0;
   double right = Svg::kWidth - 8.0;
@@ -50,7 +50,7 @@ std::string cell_colour(const ClockMap& map, std::size_t row, std::size_t column
   return css(gap_colour(map.against_cartilage[cell], gap_levels(Surface::socket, map.touching)));
 }
 
-// Cells of one colour beside each other are one.
+// Draws neighbouring cells of one colour as one.
 void add_cells(Svg& svg, const ClockMap& map, const Across& x, double top, double high) {
   const double step = (x.right - x.left) / static_cast<double>(ClockMap::kColumns);
   const auto column_at = [](std::size_t k) { return (k + ClockMap::kColumns / 2) % ClockMap::kColumns; };
@@ -120,7 +120,7 @@ void add_zones(Svg& svg, const Json& zones, const Across& x, double y, std::stri
   }
 }
 
-// Where each level is reached, ball above socket. Returns where it ends.
+// Draws where each level is reached, the ball above the socket. Returns the lower end.
 double add_levels(Svg& svg, const Json& gaps, const Across& x, double y) {
   for (const Json& level : gaps["impingement"]) {
     const bool bone = level["gap_up_to_mm"].is_number() && level["gap_up_to_mm"] == 0.0;

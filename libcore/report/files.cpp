@@ -11,7 +11,7 @@
 namespace impinge {
 namespace {
 
-// As the question alone writes it: the first column is of many joints.
+// The CSV as the question alone writes it; its first column is only for many joints.
 template <class Row, class Rows>
 AnswerFile csv_of(const char* name, const Rows& rows) {
   Table table;
@@ -25,7 +25,7 @@ AnswerFile csv_of(const char* name, const Rows& rows) {
   return {name, to_csv(table)};
 }
 
-// A file is called by its name alone: the same bytes wherever it lies.
+// Gives files by their names alone, so that the bytes do not depend on the folder.
 Json without_folders(Json joint, std::span<const std::filesystem::path> files) {
   for (Json& line : joint["warnings"]) {
     std::string text = line;

@@ -11,8 +11,8 @@
 
 namespace impinge {
 
-/// report.html with its plots as SVG and its numbers as CSV: all but summary.json. `inputs`, ball and socket
-/// first, are what warnings may name.
+/// All files but summary.json: report.html with its plots as SVG and its numbers as CSV. `inputs` are the
+/// files that warnings may name, ball and socket first.
 std::vector<AnswerFile> report_files(const SessionJoint& joint, const ReportRequest& request,
                                      const ReportAnswer& found,
                                      std::span<const std::filesystem::path> inputs);

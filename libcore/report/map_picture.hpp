@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A map over two angles as SVG: squares, named angles, marks and a key. Volume and orientation are drawn so.
+// Draws a map over two angles as SVG, for volume and orientation: squares, named angles, marks and a key.
 #pragma once
 
 #include <string>
@@ -7,47 +7,47 @@
 
 namespace impinge {
 
-/// Grey, white and the pink of marks.
+/// Grey for blocked, and other colours of the map.
 inline constexpr std::string_view kMapBlocked = "#999";
 inline constexpr std::string_view kMapUndecided = "#fff";
 inline constexpr std::string_view kMapMark = "#d4006a";
 
-/// The blue of what is free, 0 to 1: the darker, the more of it.
+/// The blue of a free share from 0 to 1; more is darker.
 std::string free_shade(double share);
 
-/// Angles in degrees, which grow to the right and upwards.
+/// The angles that the map shows, in degrees; they grow to the right and upwards.
 struct MapExtentShown {
   double left = 0.0;
   double right = 0.0;
   double bottom = 0.0;
   double top = 0.0;
-  double scale = 1.0;       // units of the picture a degree
-  int step_across = 45;     // between angles that are named, from the left
-  int step_up = 25;         // the same, from the bottom
-  std::string_view beside;  // what is on the left
+  double scale = 1.0;       // units of the picture for one degree
+  int step_across = 45;     // between named angles, from the left
+  int step_up = 25;         // between named angles, from the bottom
+  std::string_view beside;  // label on the left
 };
 
-/// A picture that is drawn in the order of its calls.
+/// A picture whose elements are drawn in the order of the calls.
 class MapPicture {
  public:
   explicit MapPicture(const MapExtentShown& shown);
 
-  /// From the corner at the least angles.
+  /// Fills a rectangle whose lower left corner is at these angles.
   void rectangle(double across, double up, double width, double height, std::string_view fill);
   void square(double across, double up, double width, std::string_view fill) {
     rectangle(across, up, width, width, fill);
   }
-  /// Elements of SVG; x() and y() are where an angle is.
+  /// Adds SVG; x() and y() are the place of an angle.
   void add(std::string_view element) { svg_ += element; }
   double x(double across) const { return kMargin + (across - shown_.left) * shown_.scale; }
   double y(double up) const { return 10.0 + (shown_.top - up) * shown_.scale; }
-  /// The angles by name.
+  /// Writes the named angles.
   void name_angles();
   /// A mark of radius 2, a ring or a dot.
   void mark(double across, double up, bool ring);
-  /// A line of words below the map: the first is 0.
+  /// Writes a line below the map; the first is line 0.
   void words(int line, std::string_view text);
-  /// A colour and what it means, so far from the left.
+  /// Shows a colour and its meaning, at this distance from the left.
   void key(int line, double from_left, std::string_view fill, std::string_view text);
 
   std::string finished() const { return svg_ + "</svg>\n"; }

@@ -12,7 +12,7 @@ namespace {
 struct StateShown {
   std::string fill;
   std::string_view text;
-  double from_left;  // of its key
+  double from_left;  // place of its key
   double MapAreas::*area;
 };
 

@@ -29,7 +29,7 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
   return text;
 }
 
-// As it may stand between the tags of a script.
+// A script that may stand between the tags of a page.
 std::string script_text(std::string_view script) {
   return replaced(replaced(std::string(script), "</script", "<\\/script"), "<!--", "<\\!--");
 }
@@ -43,7 +43,7 @@ std::string paragraph(const std::string& text, const char* more = " class=\"soft
   return "<p" + std::string(more) + ">" + escaped(text) + "</p>\n";
 }
 
-// Rows of a table, of which each cell knows the head of its column; the first is the head of its row.
+// The rows of a table. Each cell knows the head of its column; the first cell is the head of its row.
 class HtmlTable {
  public:
   explicit HtmlTable(std::vector<std::string> heads) : heads_(std::move(heads)) {}
@@ -108,7 +108,7 @@ std::vector<std::string> limit_warnings(const Json& answer) {
   return lines;
 }
 
-// What makes the joint itself doubtful, what makes its answers doubtful, and remarks on its meshes.
+// Warnings that make the joint doubtful, then those about its answers, then remarks on its meshes.
 std::vector<std::string> warnings_of(const ReportParts& parts) {
   std::vector<std::string> lines;
   for (const Json& line : parts.joint["warnings"]) {
@@ -150,7 +150,7 @@ std::string smallest_words(const Json& gap) {
          (gap["clock"].is_string() ? " at " + gap["clock"].get<std::string>() + " o'clock" : "");
 }
 
-// Motions that a reader looks for first.
+// The limits that a reader looks for first.
 std::string first_limits(const Json& limits) {
   std::string facts;
   for (const Json& limit : ball_limits(limits, false)) {
@@ -162,7 +162,7 @@ std::string first_limits(const Json& limits) {
   return facts;
 }
 
-// Measures two standard deviations and more from what is published.
+// Measures that are two standard deviations or more from the published mean.
 std::string unusual_measures(const Json& measures) {
   std::string names;
   for (const Json& row : measures["measures"]) {
@@ -248,7 +248,7 @@ std::string legend(const Json& colours) {
   return "<ul class=\"legend\">\n" + rows + "</ul>\n";
 }
 
-// near: a share of the distance from which all is seen.
+// `near`: the viewer's distance, as a share of the distance from which everything is seen.
 std::string figure(const char* view, double near, const char* shown, const char* caption) {
   return formatted(
       "<figure data-view=\"%s\" data-near=\"%g\" data-shown=\"%s\"><figcaption>%s</figcaption></figure>\n",
@@ -362,7 +362,7 @@ std::string measures_section(const ReportParts& parts) {
                                "one and two standard deviations of the published group."));
 }
 
-// Two decimals of a share, one of all else.
+// Two decimals for a share, one for all else.
 std::string measured_words(const Json& row) {
   const int decimals = row["unit"] == "1" ? 2 : 1;
   std::string text = formatted("%.*f", decimals, row["value"].get<double>());

@@ -17,7 +17,7 @@ constexpr const char* kBar = "#5b8db8";
 constexpr const char* kUnsure = "#b4cade";
 constexpr const char* kRange = "#1d4e7a";
 
-// Of the range of motion.
+// The axis of the range of motion.
 struct AngleAxis {
   double left = 6.0;
   double right = Svg::kWidth - 10.0;
@@ -48,7 +48,7 @@ void add_bar(Svg& svg, const AngleAxis& x, const Json& limit, double y) {
     svg.line(x.at(end), y + 1.0, x.at(end), y + 11.0, kRange, "stroke-width=\"2\"");
 }
 
-// Its end, and its range over the centre.
+// The limit, and its range over the error of the centre.
 std::string end_words(const Json& limit) {
   if (limit["state"] != "limited") return reach_words(limit);
   const std::optional<double> high = number_in(limit, "centre_high_deg");
@@ -56,7 +56,7 @@ std::string end_words(const Json& limit) {
          (high ? rounded_up(*high, 0) : std::string("?")) + ")";
 }
 
-// What meets what, and where; the words of a doubt.
+// What meets, where, and whether the limit is in doubt.
 std::string meeting_words(const Json& limit) {
   std::string text = limit["meets"].is_string() ? limit["meets"].get<std::string>() : "";
   if (limit["clock"].is_string())
@@ -66,7 +66,7 @@ std::string meeting_words(const Json& limit) {
   return text;
 }
 
-// Published mean and standard deviation, or what median and quartiles are like of a normal distribution.
+// Mean and standard deviation as published, or those of a normal distribution with the published quartiles.
 struct Spread {
   double mean = 0.0;
   double sd = 0.0;

@@ -47,7 +47,7 @@ Json mesh_of(const TriangleMesh& mesh) {
   return {{"positions", places_text(mesh.vertices)}, {"faces", array_text(corners)}};
 }
 
-// Column by column, as WebGL has it.
+// Column by column, as in WebGL.
 Json matrix_of(const Eigen::Matrix3d& rotation, const Vec3& translation) {
   Json numbers = Json::array();
   for (Eigen::Index column = 0; column < 4; ++column) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bones of a joint as the viewer of a report takes them (analysis/joint3d/report/viewer.js).
+// The bones of a joint in the form that the viewer of a report takes (analysis/joint3d/report/viewer.js).
 #pragma once
 
 #include "joint/document.hpp"
@@ -7,8 +7,7 @@
 
 namespace impinge {
 
-/// The meshes about the centre of rotation, mm, with the gaps of a pose, the clock and the colours; arrays
-/// are texts of base 64.
+/// Meshes about the centre of rotation, mm, with a pose's gaps, the clock and the colours; arrays in base64.
 Json report_scene(const SessionJoint& joint, const GapsAnswer& found);
 
 }  // namespace impinge

@@ -7,13 +7,13 @@
 
 namespace impinge {
 
-/// As it may stand between tags and in attributes.
+/// The text with the characters replaced that HTML and SVG reserve.
 std::string escaped(std::string_view text);
 
-/// "internal_rotation" as "internal rotation".
+/// Turns "internal_rotation" into "internal rotation".
 std::string spaced(std::string_view name);
 
-/// Where a text stands.
+/// How a text is placed.
 struct TextStyle {
   int size = 11;
   const char* anchor = "start";
@@ -21,12 +21,12 @@ struct TextStyle {
   bool bold = false;
 };
 
-/// A drawing that also stands as a file of its own. Lengths are its units, 480 across.
+/// A drawing that can also be a file of its own. It is 480 units wide.
 class Svg {
  public:
   static constexpr double kWidth = 480.0;
 
-  /// `label` says what it shows to those who do not see it.
+  /// `label` describes the drawing to readers who do not see it.
   explicit Svg(std::string_view label) : label_(label) {}
 
   void rect(double x, double y, double width, double height, std::string_view fill,
@@ -35,7 +35,7 @@ class Svg {
   void text(double x, double y, std::string_view text, const TextStyle& style = {});
   void add(std::string_view element) { body_ += element; }
 
-  /// All of it, so high.
+  /// The whole drawing, with this height.
   std::string text_of(double height) const;
 
  private:

@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kDarkest = 120.0;  // degrees of rotation
 
-// Of so many degrees of rotation, internal and external together.
+// Shade for so many degrees of internal and external rotation together.
 std::string shade(double range) { return free_shade(std::min(range, kDarkest) / kDarkest); }
 
-// Colour of the pose.
+// Colour of a pose.
 std::string colour(const MotionVolume& volume, const Motion& pose, Side side) {
   const auto [state, range] = map_square(volume, pose, side);
   if (state == CellState::free) return shade(range);
@@ -30,7 +30,7 @@ void add_ranges(MapPicture& picture) {
     picture.key(2, 22 * k, shade(30.0 * k), std::to_string(30 * k) + (k == 4 ? "+" : ""));
 }
 
-// Degrees of rotation about the femur's axis that are free, of 360.
+// How many of the 360 degrees of rotation about the femur's axis are free.
 int free_rotations(const MotionVolume& volume, Motion pose, Side side) {
   int free = 0;
   for (int rotation = -180; rotation < 180; rotation += kMapStep) {

@@ -10,8 +10,8 @@
 
 namespace impinge {
 
-/// An SVG, 5 degrees a square: the darker, the larger the range from external to internal rotation that is
-/// certainly without contact; grey where the pose without rotation is blocked, white where it is undecided.
+/// An SVG with a square for each 5 degrees. The darker, the larger the range from external to internal
+/// rotation that is certainly without contact; grey: the pose without rotation is blocked; white: undecided.
 std::string volume_picture(const MotionVolume& volume, Side side);
 
 /// An SVG of all rotations in the sinusoidal map of Manafzadeh and Gatesy 2020 (doi:10.1242/jeb.227108):

@@ -23,7 +23,7 @@ const TriangleMesh& closed(const TriangleMesh& mesh) {
 
 }  // namespace
 
-// Faces that are edge-on stay: they bound the bone, and no ray is counted that passes them.
+// Edge-on faces stay in the index: they bound the bone. The counted ray passes none of them.
 BoneOverCap::BoneOverCap(const TriangleMesh& mesh)
     : index_(closed(mesh), Layer::nearest, kIndexReach),
       nearest_(without_edge_on(mesh), Layer::nearest),
@@ -31,7 +31,7 @@ BoneOverCap::BoneOverCap(const TriangleMesh& mesh)
   for (const Face& face : mesh.faces) least_.push_back(face_cap(corners_of(mesh, face)).range.low);
 }
 
-// Counts which faces unit u meets; false where it passes an edge.
+// Notes which faces unit u meets, and how; false where it passes an edge within rounding.
 bool BoneOverCap::crossings_along(const Vec3& u) const {
   for (std::size_t k = 0; k < near_.size(); ++k) {
     const TriangleCone& cone = index_.plane(near_[k]).cone;
@@ -46,7 +46,7 @@ bool BoneOverCap::crossings_along(const Vec3& u) const {
 
 bool BoneOverCap::find_crossings(const DirectionCap& cap) const {
   constexpr std::array<std::array<double, 2>, 4> kTried{
-      {{0.0, 0.0}, {0.31, 0.17}, {-0.23, 0.29}, {0.07, -0.37}}};  // shares of the angle
+      {{0.0, 0.0}, {0.31, 0.17}, {-0.23, 0.29}, {0.07, -0.37}}};  // from the axis, in radii
   const Vec3 a = cap.axis.unitOrthogonal();
   const Vec3 b = cap.axis.cross(a);
   return std::ranges::any_of(kTried, [&](const auto& tried) {
@@ -74,7 +74,7 @@ SpansOverCap BoneOverCap::over(const DirectionCap& cap) const {
   const bool counted = find_crossings(cap);
   std::ranges::sort(crossed_, {}, [](const Crossed& c) { return c.range.low; });
   int winding = 0;
-  double reached = 0.0;  // mm, by the faces so far
+  double reached = 0.0;  // mm, the farthest that a face so far goes
   for (const Crossed& face : crossed_) {
     if (face.range.low > reached && (!counted || winding != 0)) {
       if (counted) found.certain.add(reached, face.range.low);

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which radii along the rays of a cap of directions lie in bone, the inside of a closed mesh.
-//
-// Each face that may meet the cap has a range of radii there (table/surface_plane.hpp). Between those ranges
-// no ray of the cap crosses the surface, so that all of them are in bone or none is. Which, is found by
-// counting how often one ray has gone in and out, along a direction of the cap that passes no edge within
-// rounding. All rays start at the centre, which is outside. Where there is no such direction nothing is
-// certain.
+// Which radii along the rays of a cap of directions lie in bone, the inside of a closed mesh? Rays start at
+// the centre, which must be outside of the bone. After Theorem 17 (sweep).
 #pragma once
 
 #include <vector>
@@ -19,10 +14,11 @@ namespace impinge {
 /// Numbers in double, rounded outwards.
 class BoneOverCap {
  public:
-  /// mesh in the centre frame, mm. std::runtime_error, one line, unless it is closed and of one orientation.
+  /// mesh in the centre frame, mm. Throws std::runtime_error, one line, unless it is closed and of one
+  /// orientation.
   explicit BoneOverCap(const TriangleMesh& mesh);
 
-  /// Radii in bone, mm.
+  /// Radii in bone over the cap, mm: certain along every ray, possible along any.
   SpansOverCap over(const DirectionCap& cap) const;
 
  private:
@@ -30,16 +26,16 @@ class BoneOverCap {
   bool find_crossings(const DirectionCap& cap) const;
 
   SurfaceIndex index_;
-  CapLimits nearest_;  // of caps that the index is not made for
+  CapLimits nearest_;  // these two are for caps wider than kIndexReach
   CapLimits farthest_;
-  std::vector<double> least_;  // of each face, mm
+  std::vector<double> least_;  // least radius of each face, mm
   /// A face that may meet the cap.
   struct Crossed {
     RadiusRange range;
-    int winding = 0;  // of the ray that is counted along: 1 goes in, or out where the mesh is inside out
+    int winding = 0;  // 1 where the counted ray goes into bone, -1 where it leaves; opposite if inside out
   };
   mutable std::vector<std::uint32_t> near_;  // scratch
-  mutable std::vector<Crossed> crossed_;     // the same
+  mutable std::vector<Crossed> crossed_;     // scratch
 };
 
 }  // namespace impinge

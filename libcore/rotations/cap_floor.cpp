@@ -8,10 +8,10 @@
 namespace impinge {
 namespace {
 
-constexpr std::size_t kMostCells = 96;  // along an edge of the finest grid
-constexpr double kCellsOf = 8.0;        // along an edge, times the radius
+constexpr std::size_t kMostCells = 96;  // cells along an edge of the finest grid
+constexpr double kCellsOf = 8.0;        // cells along an edge of a wider grid, times its cap radius
 constexpr double kWidestCap = 1.2;      // radians
-constexpr std::size_t kMostSteps = 64;  // from face to face
+constexpr std::size_t kMostSteps = 64;  // from face to face, before a search ends
 
 }  // namespace
 

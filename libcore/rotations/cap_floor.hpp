@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Roughly how far a surface reaches over a whole cap of directions: sampled, to guess where to look for a
-// proof. No proof relies on it.
+// Roughly how far a surface reaches over a whole cap of directions. Sampled, to guess where to look for a
+// proof; no proof relies on it.
 //
-// Cube grids, one for each half octave of radii. The finest has the radius of the surface along each of its
-// directions, and the face there; each wider one the least of the one before over eight directions round it.
+// Cube grids, one for each half octave of cap radii. The finest has the radius of the surface, and the face,
+// along each of its directions; each wider one the least value of the grid before over eight directions.
 #pragma once
 
 #include <cstdint>
@@ -16,24 +16,23 @@ namespace impinge {
 
 class CapFloor {
  public:
-  /// The values are least radii for a ball (Layer::farthest), and largest radii times -1 for a socket: the
-  /// larger a value, the farther the surface reaches into the other one.
+  /// A value is the least radius of a ball (Layer::farthest), or the largest radius of a socket times -1, mm:
+  /// the larger it is, the farther the surface reaches into the other one.
   explicit CapFloor(const SeenSurface& surface);
 
-  /// The value over about `angle` radians round x, mm; -infinity where a part of that meets no face.
+  /// The value over a cap of about `angle` radians round x; -infinity where some of it has no face.
   float within(const Vec3& x, double angle) const;
-  /// Has the sample nearest to x no face?
+  /// Has the sample nearest to the direction of x no face?
   bool uncovered(const Vec3& x) const {
     return face_[cube_entry(x, levels_.front().cells)] == DirectionFace::kNone;
   }
-  /// A face that holds the direction of unit u, found across sides from the nearest sample; kNone if none is
-  /// found.
+  /// A face that holds the direction of unit u, found across sides from the nearest sample; or kNone.
   std::uint32_t face_along(const Vec3& u) const;
 
  private:
   struct Level {
     std::size_t cells;
-    double radius;  // radians, of the caps
+    double radius;  // of the caps, radians
     std::vector<float> values;
     Vec3 direction(std::size_t entry) const;
   };
@@ -42,7 +41,7 @@ class CapFloor {
 
   const SeenSurface& surface_;
   std::vector<Level> levels_;
-  std::vector<std::uint32_t> face_;  // of the finest level
+  std::vector<std::uint32_t> face_;  // for each direction of the finest level
 };
 
 }  // namespace impinge

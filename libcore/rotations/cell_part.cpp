@@ -10,11 +10,11 @@
 namespace impinge {
 namespace {
 
-constexpr double kFormRounding = 1e-14;   // of the entries of a form, a share
-constexpr double kFloatRounding = 2e-6;   // of a plane, a share of its slope
-constexpr double kPolytopeSlack = 1e-12;  // of the volume of a cell, that rounding may add to a polytope
+constexpr double kFormRounding = 1e-14;   // share of the entries of a form
+constexpr double kFloatRounding = 2e-6;   // share of a plane's slope
+constexpr double kPolytopeSlack = 1e-12;  // share of a cell's volume that rounding may add to a polytope
 
-// Does the half hold all of an eighth of the cell?
+// Does the half-space hold all of the cell's eighth k?
 bool holds_eighth(const CellPlane& plane, std::uint64_t k) {
   Vec3 middle;
   double reach = 0.0;
@@ -28,7 +28,7 @@ bool holds_eighth(const CellPlane& plane, std::uint64_t k) {
 }  // namespace
 
 CellPlane FormOverCell::plane() const {
-  // As floats, the slope of length 1: a share of each coordinate is lost, which the offset allows for.
+  // The slope is scaled to length 1 and rounded to floats; the offset allows for that.
   const double scale = 1.0 / std::max(slope.norm(), 1e-300);
   CellPlane plane;
   for (std::size_t k = 0; k < 3; ++k)
@@ -134,7 +134,7 @@ bool CellPolytope::clip(const CellPlane& plane, std::uint32_t number) {
       const double at_b = plane.at(b);
       if (at_a >= 0.0) clipped.corner[clipped.corners++] = a;
       if ((at_a >= 0.0) == (at_b >= 0.0)) continue;
-      // From within outwards, so that both faces at this edge have the same corner.
+      // Interpolated from the inside outwards, so that both faces at this edge get the same corner.
       const Vec3 x = at_a >= 0.0 ? Vec3(a + (at_a / (at_a - at_b)) * (b - a))
                                  : Vec3(b + (at_b / (at_b - at_a)) * (a - b));
       clipped.corner[clipped.corners++] = x;
@@ -159,7 +159,7 @@ bool CellPolytope::clip(const CellPlane& plane, std::uint32_t number) {
   return cut < 3 || close(plane, number, cut);
 }
 
-// The new face, in the plane, its corners in order round their mean.
+// Adds the new face in the plane, its corners in order round their mean.
 bool CellPolytope::close(const CellPlane& plane, std::uint32_t number, std::size_t cut) {
   const Vec3 outwards = -Vec3(plane.slope[0], plane.slope[1], plane.slope[2]);
   const Vec3 across = outwards.unitOrthogonal();
@@ -173,7 +173,7 @@ bool CellPolytope::close(const CellPlane& plane, std::uint32_t number, std::size
   Polygon& face = face_[faces_];
   face.number = number;
   face.corners = 0;
-  for (std::size_t k = 0; k < cut; ++k) {  // each corner is there twice, of both faces
+  for (std::size_t k = 0; k < cut; ++k) {  // each corner is there twice, once from either face
     const Vec3& x = cut_[order[k].second];
     if (face.corners > 0 && face.corner[face.corners - 1] == x) continue;
     if (face.corners == kMostCorners) {

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts of a cell of rotations: half-spaces in which something is certain, and what they leave of it.
+// Parts of a cell of rotations: half-spaces in which something is certain, and what they leave of the cell.
 //
-// With a quaternion q = (w, v) of any length, n . R x |q|^2 = (w^2 - v . v) n . x + 2 (v . x) (v . n)
-// + 2 w v . (x x n): that a turned point x is beyond a plane, n . R x >= k, is the sign of a quadratic form.
-// In the coordinates t of a cell, -1 to 1 along each side, q = c + h t, it is f + g . t + h^2 t . A t. The
-// last term is bounded by the entries of A: what is left is a half-space, off by h^2. There is no seam, not
-// at half turns either.
-//
-// Share. In those coordinates the measure is h^3 / (pi^2 s^2), s = |q|^2, no less than its tangent at the
-// middle less 2 h^2 t . t / s^3 of the least s of the cell. Of a polytope the integrals of 1, t and t . t are
-// sums over tetrahedra.
+// In the coordinates t of a cell, -1 to 1 along each side, a condition n . R x >= k is a quadratic form. It
+// is certain in a half-space that is off by the square of the cell's size: Theorem 14 (volume), (vii).
 #pragma once
 
 #include <array>
@@ -24,11 +17,11 @@ namespace impinge {
 
 class CellFrame;
 
-/// Half of a cell: slope . t + offset >= 0. Rounded so that all of it has what it stands for.
+/// A half-space of a cell: slope . t + offset >= 0. Rounded inwards: what it stands for holds in all of it.
 struct CellPlane {
   std::array<float, 3> slope{};
   float offset = 0.0F;
-  /// n . q, of the same sign for a quaternion of the cell.
+  /// The n for which n . q has the same sign at a quaternion q of the cell.
   Quaternion4 normal(const CellFrame& frame) const;
   CellPlane opposite() const { return {{-slope[0], -slope[1], -slope[2]}, -offset}; }
   double at(const Vec3& t) const {
@@ -37,50 +30,52 @@ struct CellPlane {
   }
 };
 
-/// sign (n . R x - k) over a cell, times |q|^2 > 0: at least middle + slope . t + least.
+/// A lower bound of sign (n . R x - k) |q|^2 over a cell: middle + slope . t + least.
 struct FormOverCell {
-  double middle = 0.0;
+  double middle = 0.0;  // its value in the middle
   Vec3 slope = Vec3::Zero();
-  double least = 0.0;
-  double corner() const { return slope.cwiseAbs().sum(); }  // slope . t is that at most
-  CellPlane plane() const;
+  double least = 0.0;                                       // at most 0: for the quadratic term and rounding
+  double corner() const { return slope.cwiseAbs().sum(); }  // the largest slope . t
+  CellPlane plane() const;                                  // where the bound is not below 0
 };
 
-/// A cell as forms see it.
+/// The coordinates of a cell.
 class CellFrame {
  public:
   explicit CellFrame(const RotationCell& cell);
-  /// Of sign (n . R x - k), of which `slack` is taken before it counts as positive.
+  /// The bound of sign (n . R x - k), with `slack` taken off.
   FormOverCell form(const Vec3& n, const Vec3& x, double k, double sign, double slack) const;
-  /// Coordinates of a quaternion.
+  /// Coordinates t of a quaternion of any length.
   Vec3 place(const Quaternion4& q) const;
   const Quaternion4& middle() const { return middle_; }
-  double half() const { return half_; }
-  /// Along side k of the cell.
+  double half() const { return half_; }  // of a side's length
+  /// Unit quaternion along side k of the cell.
   Quaternion4 side(std::size_t k) const { return Quaternion4::Unit(side_[k]); }
+  /// Unit quaternion along the coordinate that is 1 on the cube.
   Quaternion4 across() const { return Quaternion4::Unit(cube_); }
+  /// The components of q along the three sides.
   Vec3 sides(const Quaternion4& q) const { return {q[side_[0]], q[side_[1]], q[side_[2]]}; }
 
  private:
   Quaternion4 middle_;
   double half_;
   Eigen::Index cube_;
-  std::array<Eigen::Index, 3> side_;  // coordinates along the three sides
+  std::array<Eigen::Index, 3> side_;  // which components go along the three sides
 };
 
 /// What planes leave of a cell, a convex polytope.
 class CellPolytope {
  public:
   CellPolytope();  // all of the cell
-  /// Keeps the half of a plane; `number`, 6 or more, names it. False, and nothing is kept, if the polytope
-  /// has become too complex.
+  /// Keeps what is in the half-space; `number`, 6 or more, names its plane. False, and nothing is kept, if
+  /// the polytope has too many faces or corners.
   bool clip(const CellPlane& plane, std::uint32_t number);
   bool empty() const { return faces_ == 0; }
-  /// Is some of it where the form may be below 0?
+  /// Is the bound below 0 in some of it?
   bool meets(const FormOverCell& form) const;
-  double farthest(const CellPlane& plane) const;  // the largest value of its corners
-  bool bounds(std::uint32_t number) const;        // is a piece of that plane among its faces?
-  /// Share of all rotations, at least.
+  double farthest(const CellPlane& plane) const;  // largest value of slope . t + offset
+  bool bounds(std::uint32_t number) const;        // is some of the plane of that number a face?
+  /// The share of all rotations that it holds, rounded down.
   double share(const CellFrame& frame) const;
 
  private:
@@ -89,13 +84,13 @@ class CellPolytope {
   struct Polygon {
     std::array<Vec3, kMostCorners> corner;
     std::size_t corners = 0;
-    std::uint32_t number = 0;  // of its plane; sides of the cell have the first six
+    std::uint32_t number = 0;  // of its plane; 0 to 5 are the sides of the cell
   };
   bool close(const CellPlane& plane, std::uint32_t number, std::size_t cut);
 
   std::array<Polygon, kMostFaces> face_;
   std::size_t faces_ = 0;
-  std::array<Vec3, 2 * kMostFaces> cut_;  // corners of a new face
+  std::array<Vec3, 2 * kMostFaces> cut_;  // scratch: corners of a new face
 };
 
 /// What is known of all rotations of a cell.
@@ -103,16 +98,16 @@ enum class CellState : std::uint8_t { free, blocked, unknown, open };
 
 /// What is known of parts of a cell.
 struct CellPart {
-  CellState state = CellState::open;  // of all of it, where that follows
-  std::vector<CellPlane> free;     // within all of them every rotation is free; without any, nothing is known
-  std::vector<CellPlane> blocked;  // within any of them every rotation is blocked
-  double free_share = 0.0;         // of all rotations, at least
-  double blocked_share = 0.0;      // the same
+  CellState state = CellState::open;  // of the whole cell, where that follows
+  std::vector<CellPlane> free;  // rotations in all of these half-spaces are free; none: nothing is known free
+  std::vector<CellPlane> blocked;  // rotations in any of these half-spaces are blocked
+  double free_share = 0.0;         // share of all rotations that is known to be free here, rounded down
+  double blocked_share = 0.0;      // share of all rotations that is known to be blocked here, rounded down
 
   bool empty() const { return free.empty() && blocked.empty(); }
   bool is_free(const Vec3& t) const;
   bool is_blocked(const Vec3& t) const;
-  /// Is all of the eighth k of the cell so?
+  /// Is all of the cell's eighth k known to be free, or blocked?
   bool frees(std::uint64_t k) const;
   bool blocks(std::uint64_t k) const;
 };

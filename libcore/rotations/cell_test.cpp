@@ -14,22 +14,22 @@
 namespace impinge {
 namespace {
 
-constexpr double kTolerance = 1e-12;  // of 1 / r and of lengths, as a share
+constexpr double kTolerance = 1e-12;  // share of 1 / r and of lengths
 constexpr double kTurnSlack = 2e-9;   // radians
 
-constexpr std::uint32_t kCoarsestPart = 6;      // level of cells that are taken apart
-constexpr std::uint32_t kCoarsestOfBodies = 5;  // the same where bones have an inside
-constexpr std::uint32_t kFinestPart = 10;       // planes of finer ones are too coarse
-constexpr std::size_t kMostWitnesses = 4;       // of a surface, that may block part of a cell
-constexpr std::size_t kMostBlocked = 6;         // of both
-constexpr std::uint32_t kUnnamed = 0xffffU;     // a plane that bounds a piece alone
-constexpr double kLeastGain = 0.05;             // of half a side: what reaches less far is not worth a plane
-constexpr double kLeastSlope = 1e-3;            // of a normal across a direction, that counts
-constexpr double kLeastNormal = 1e-9;           // mm^2, of two edges
-constexpr std::size_t kMostPairs = 4000;        // of faces, that are kept apart in a cell
-constexpr std::size_t kMostClose = 200;         // of faces of bodies
+constexpr std::uint32_t kCoarsestPart = 6;      // cells from this level on are taken apart
+constexpr std::uint32_t kCoarsestOfBodies = 5;  // the same level where bones have an inside
+constexpr std::uint32_t kFinestPart = 10;       // beyond this level planes in floats are too coarse
+constexpr std::size_t kMostWitnesses = 4;    // vertices, or points of bodies, that may block part of a cell
+constexpr std::size_t kMostBlocked = 6;      // blocked half-spaces of a cell
+constexpr std::uint32_t kUnnamed = 0xffffU;  // number of a plane that only bounds a piece
+constexpr double kLeastGain = 0.05;          // a half-space that reaches less far, in half sides, is left out
+constexpr double kLeastSlope = 1e-3;         // least share of a normal across a direction, as a divisor
+constexpr double kLeastNormal = 1e-9;        // mm^2, least cross product of two edges
+constexpr std::size_t kMostPairs = 4000;     // pairs of faces in a cell
+constexpr std::size_t kMostClose = 200;      // pairs of faces of bodies in a cell
 
-// A search over the nodes of a tree that opens the one found last.
+// The nodes of a tree that a depth-first search still has to visit.
 struct Pending {
   std::array<std::uint32_t, CapTree::kMostPending> blocks;
   std::size_t count = 0;
@@ -40,8 +40,8 @@ struct Pending {
 
 Vec3 axis_of(const CapBlock& block, std::size_t k) { return {block.x[k], block.y[k], block.z[k]}; }
 
-// Looks for something among the items of a tree, first where it is likeliest: in the deepest node of those
-// found last. Nodes with a depth below 0 have nothing. After so many items it gives up.
+// Calls found(item) for items of a tree until it is true; returns whether it was. Of the nodes found last the
+// one with the largest depth comes first; nodes with a depth below 0 are left out. Ends after most_items.
 template <class Depth, class Found>
 bool search_deepest(const CapTree& tree, std::size_t most_items, const Depth& depth_of, const Found& found) {
   Pending pending;
@@ -68,15 +68,14 @@ bool search_deepest(const CapTree& tree, std::size_t most_items, const Depth& de
   return false;
 }
 
-// Caps of faces, as far from the centre as that somewhere.
+// A question for faces that come near a cap and are, somewhere, at least `least` from the centre.
 struct NearCap {
   Eigen::Vector3f axis;
   float radius;  // radians
   float least;   // mm
 };
 
-// Which nodes of a block may hold such faces near that cap. In floats, which the slack of nodes covers, for
-// all eight at once.
+// Which nodes of a block may hold such faces? In floats, for which the slack of nodes allows.
 std::array<std::int32_t, CapBlock::kLanes> near_nodes(const CapBlock& block, const NearCap& cap) {
   std::array<std::int32_t, CapBlock::kLanes> near;
   for (std::size_t k = 0; k < near.size(); ++k) {
@@ -90,8 +89,9 @@ std::array<std::int32_t, CapBlock::kLanes> near_nodes(const CapBlock& block, con
   return near;
 }
 
-// The mesh with every corner moved out, so that its faces are `gap` and more beyond, see cell_test.hpp. Faces
-// that are edge-on are left out before, where they do not count: afterwards others may be, by rounding.
+// The mesh with every corner moved out along its ray, so that each face is moved out by the gap at least
+// (theorem in the header, (iii)). Edge-on faces that do not count are left out first, as rounding may make
+// others edge-on afterwards.
 TriangleMesh moved_out(const TriangleMesh& of, const CellQuestion& question) {
   const double gap = question.gap_mm;
   TriangleMesh mesh = question.centre_within_mm > 0.0 ? of : without_edge_on(of);
@@ -109,7 +109,7 @@ TriangleMesh moved_out(const TriangleMesh& of, const CellQuestion& question) {
   return mesh;
 }
 
-// No corner was moved farther than that by moved_out().
+// An upper bound, mm, of how far moved_out() moves a corner.
 double growth_of(const TriangleMesh& mesh, double gap) {
   double least = 1.0;  // cosine
   for (const Face& face : mesh.faces)
@@ -167,14 +167,14 @@ NearPoses CellTest::poses_near(const RotationBall& rotations) const {
           question_.gap_mm};
 }
 
-// See cell_test.hpp: of these two faces, which is no more than that of all.
+// The angle of (viii) in the header's theorem for these two faces; it is no larger than asked.angle.
 CapAngle CellSearch::angle_of(const Asked& asked, const PosedFace& socket, const DirectionFace& ball) const {
   const double r = test_.question_.centre_within_mm;
   const double gap = test_.question_.gap_mm;
   if (r == 0.0) return asked.angle;
   const double y = socket.range.low;
   const double farthest = ball.range.high + asked.shift;
-  const double nearest = ball.range.low - test_.growth_;  // |p|, which the gap adds nothing to
+  const double nearest = ball.range.low - test_.growth_;  // least radius of the face without the gap
   if (!(y > r + gap) || !(nearest > asked.shift) || !(farthest > r)) return asked.angle;
   const double part = std::max({1.0 - (y - r) / (farthest - r), gap / (y - r - gap), 0.0});
   const double turned = std::asin(asked.shift / nearest) + std::asin(std::min(1.0, part * r / y));
@@ -186,7 +186,7 @@ bool CellSearch::may_touch(const Asked& asked, const PosedFace& socket, const Di
   const CapAngle angle = angle_of(asked, socket, ball);
   if ((ball.cap.axis - socket.axis).norm() > ball.cap.radius + socket.face->cap.radius + angle.radius)
     return false;
-  const bool planes = !ball.plane.isZero(0.0) && !socket.plane.isZero(0.0);  // else ranges have to do
+  const bool planes = !ball.plane.isZero(0.0) && !socket.plane.isZero(0.0);  // else ranges decide
   const double scale = 1.0 / (1.0 + asked.shift / ball.range.low);
   const Vec3 q = ball.plane * scale;
   const double slack = (ball.doubt + socket.face->doubt + kTolerance) * (q.norm() + socket.plane.norm());
@@ -265,14 +265,14 @@ CellSearch::Reach CellSearch::reach_at(const Asked& asked, Surface of, std::uint
   const double shift = asked.shift + 2.0 * gap * r / length;
   reach.radius = of_ball ? length + gap - shift : length - gap + shift;
   const double nearest = std::min(length, of_ball ? test_.least_socket_ : HUGE_VAL) - shift;
-  if (!(nearest > r) || !(reach.radius > 0.5 * length) || (r > 0.0 && gap > 0.5 * length)) return reach;
+  if (!(nearest > r) || !(reach.radius > 0.5 * length) || (r > 0.0 && gap > 0.5 * (length - r))) return reach;
   reach.cap.axis = (of_ball ? asked.rotation : asked.inverse) * x / length;
   reach.cap.radius = asked.turn + std::asin(asked.shift / length) + std::asin(r / nearest) + kTurnSlack;
   const SeenSurface& met = test_.surface(other(of));
   reach.face = test_.side(other(of)).floor.face_along(reach.cap.axis);
   if (reach.face == DirectionFace::kNone) return reach;
   const DirectionFace& face = met.faces()[reach.face];
-  // How far from the axis the plane of that face keeps to the radius.
+  // How far from the axis the plane of that face stays within, or beyond, the radius.
   const double along = face.plane.dot(reach.cap.axis);
   const double tilt = std::atan2(face.plane.cross(reach.cap.axis).norm(), along);
   const double limit = 1.0 / (reach.radius * face.plane.norm());
@@ -297,7 +297,7 @@ bool CellSearch::blocks(const Reach& reach, Surface of) {
     }
     return kept;
   };
-  const auto within = [&](const DirectionFace& face) {  // of the socket: no farther than the radius
+  const auto within = [&](const DirectionFace& face) {  // a face of the socket, no farther than the radius
     if (face.range.high <= reach.radius * (1.0 - kTolerance)) return true;
     if (face.plane.isZero(0.0)) return false;
     const double least = inverse * (1.0 + kTolerance + face.doubt) + kTolerance * face.plane.norm();
@@ -306,7 +306,7 @@ bool CellSearch::blocks(const Reach& reach, Surface of) {
     return std::ranges::all_of(kept.points(),
                                [&](const Vec3& u) { return face.plane.dot(u) >= least * u.norm(); });
   };
-  const auto beyond = [&](const DirectionFace& face) {  // of the ball: no nearer
+  const auto beyond = [&](const DirectionFace& face) {  // a face of the ball, no nearer than the radius
     if (face.range.low >= reach.radius * (1.0 + kTolerance)) return true;
     if (face.plane.isZero(0.0)) return false;
     const double most = inverse * (1.0 - kTolerance - face.doubt) - kTolerance * face.plane.norm();
@@ -364,7 +364,7 @@ bool CellSearch::may_leave(const Asked& asked) const {
       if (!of.leaf(lane)) {
         for (std::size_t l = 0; l < holes.tree.blocks()[of.first[lane]].nodes; ++l)
           if (self(self, of.first[lane], l, at)) return true;
-        return false;  // all of the block was asked
+        return false;  // the children of the hole were compared with all of the block
       }
       if (!block.leaf(k) && self(self, hole, lane, block.first[k])) return true;
       for (std::uint32_t f = block.first[k]; f < block.first[k] + block.items[k]; ++f)
@@ -412,12 +412,12 @@ CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& fr
   const Asked asked = asked_of(poses, rotations);
   if (asked.angle.wide) return {};
   CellVerdict verdict = facing(asked, from);
-  // By radii: of main surfaces, a gap, or contact where bones have no inside (limits/body_pairs.hpp).
+  // Radii decide about the main surfaces if a gap counts, or if bones have no inside (limits/body_pairs.hpp).
   const BodyPairs& bodies = test_.bodies_;
   const bool by_radii = test_.question_.gap_mm > 0.0 || !bodies.has_inside();
   if (by_radii && verdict.state == CellState::blocked) return verdict;
   const bool apart = verdict.state == CellState::free || verdict.state == CellState::unknown;
-  // The middle tells which of both is worth trying.
+  // The middle pose shows whether free or blocked is worth trying.
   const Contact middle =
       by_radii ? Contact::unknown : bodies.verdict({rotations.rotation, Vec3::Zero()}).contact;
   if (middle != Contact::yes && !bodies.may_meet(poses, apart || by_radii)) {
@@ -430,7 +430,7 @@ CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& fr
   return verdict;
 }
 
-// Nothing touches: does the ball's mesh end under the socket?
+// Nothing touches. Does the ball's mesh end under the socket?
 CellState CellSearch::state_of_free(const Asked& asked) const {
   if (test_.side(Surface::ball).holes.tree.blocks().empty() || !may_leave(asked)) return CellState::free;
   return leaves(asked) ? CellState::unknown : CellState::open;
@@ -461,9 +461,9 @@ struct CellSearch::Parted {
   CellFrame frame;
   CellPart part{};
   CellPolytope left{};
-  std::vector<CellPlane> planes{};  // that bound it
-  std::size_t pairs = 0;            // that were kept apart
-  CapAngle about{0.0};              // of a face of the socket: directions that it may come to
+  std::vector<CellPlane> planes{};  // planes that bound `left`
+  std::size_t pairs = 0;            // pairs of faces that needed planes
+  CapAngle about{0.0};              // about a face's axis: directions that a face of the socket may come to
 
   bool clip(const CellPlane& plane) {
     planes.push_back(plane);
@@ -472,8 +472,8 @@ struct CellSearch::Parted {
   bool keep(const FormOverCell& form) { return !left.meets(form) || (clip(form.plane()) && !left.empty()); }
 };
 
-// Where in the cell that vertex is beyond all faces that it may meet: a half-space that is held by each of
-// theirs.
+// A half-space in which the vertex blocks: there it is beyond the planes of all faces that it may meet. None
+// where that cannot be shown.
 std::optional<FormOverCell> CellSearch::block_form(const Parted& at, Surface of, const Reach& reach) {
   if (reach.face == DirectionFace::kNone) return std::nullopt;
   const bool of_ball = of == Surface::ball;
@@ -513,7 +513,7 @@ void CellSearch::find_witnesses(const Parted& at, Surface of, std::vector<Reach>
   search_deepest(test_.surface(of).vertex_tree(), kMostVertices, depth_of, take);
 }
 
-// Forms of what vertices block.
+// Half-spaces in which vertices of the main surfaces block, as forms.
 std::vector<FormOverCell> CellSearch::blocked_by_radii(const Parted& at, const CellHint& hint) {
   std::vector<FormOverCell> forms;
   for (const Surface of : kSurfaces) {
@@ -530,7 +530,8 @@ std::vector<FormOverCell> CellSearch::blocked_by_radii(const Parted& at, const C
   return forms;
 }
 
-// Forms of what bodies block: |R x - y|^2 = |x|^2 + |y|^2 - 2 y . R x.
+// Half-spaces in which a point of one body stays in an inner ball of another, as forms:
+// |R x - y|^2 = |x|^2 + |y|^2 - 2 y . R x.
 std::vector<FormOverCell> CellSearch::blocked_by_bodies(const Parted& at, const NearPoses& poses,
                                                         bool by_radii) const {
   std::vector<FormOverCell> forms;
@@ -541,7 +542,7 @@ std::vector<FormOverCell> CellSearch::blocked_by_bodies(const Parted& at, const 
   return forms;
 }
 
-// Cuts off what is blocked, where most is first; true if nothing is left.
+// Cuts blocked half-spaces off, the largest first; true if nothing is left.
 bool CellSearch::take_blocked(Parted& at, const std::vector<FormOverCell>& forms) {
   std::vector<CellPlane> planes;
   planes.reserve(forms.size());
@@ -560,16 +561,16 @@ bool CellSearch::take_blocked(Parted& at, const std::vector<FormOverCell>& forms
   return false;
 }
 
-// Where they meet p = x = k y, k >= 1, for points of these polygons, so that they are apart where
-// n . R x < c <= n . y for all corners, c of 0 or more.
+// Two faces that may overlap in the cell. They do not where n . R x < c <= n . y, c >= 0, for all corners x
+// and y (theorem in the header, (vii)).
 struct CellSearch::PairForms {
   const PosedFace& socket;
   const DirectionFace& ball;
-  DirectionPolygon of_ball;    // clipped to what the other may come to, in the frame of the ball
-  DirectionPolygon of_socket;  // likewise
+  DirectionPolygon of_ball;    // the ball's face, clipped to what the socket's face may come to; ball's frame
+  DirectionPolygon of_socket;  // the socket's face, clipped likewise; ball's frame
   double slack;
 
-  // Of a length along n, as an angle of a turn about the centre that makes up for it.
+  // The angle of a turn about the centre that moves u by the length `apart` along n, roughly.
   static double as_angle(double apart, const Vec3& n, const Vec3& u) {
     return apart / (n.cross(u).norm() + kLeastSlope * n.norm());
   }
@@ -585,8 +586,8 @@ struct CellSearch::PairForms {
       least = std::min(least, as_angle((ball.plane - socket.plane).dot(u) / u.norm(), ball.plane, u));
     return least;
   }
-  // The normal of an edge of each that keeps them apart in the middle of the cell, n . y >= 1; zero if none
-  // does.
+  // A normal n across an edge of either that keeps the faces apart in the middle of the cell, scaled so that
+  // n . y >= 1; zero if there is none.
   Vec3 by_edges() const {
     const std::vector<Vec3> x = corners(of_ball, ball.plane);
     const std::vector<Vec3> y = corners(of_socket, socket.plane);
@@ -616,13 +617,13 @@ struct CellSearch::PairForms {
   }
 };
 
-// Clips what is left to where these two are apart; false where that cannot be said of any of it.
+// Clips what is left to where these two faces do not overlap; false if no such place could be shown.
 bool CellSearch::keep_apart(Parted& at, const PosedFace& socket, const DirectionFace& ball) const {
   const Asked& asked = at.asked;
   if (ball.range.high < socket.range.low * (1.0 - kTolerance)) return true;
   if ((ball.cap.axis - socket.axis).norm() > ball.cap.radius + socket.face->cap.radius + asked.angle.radius)
     return true;
-  // Is its plane within all of the socket's face, wherever the cell takes it?
+  // Is the plane of the ball's face nearer than all of the socket's face, in every rotation of the cell?
   const double ratio = at.about.wide ? 0.0 : least_over(ball.plane, socket.axis, at.about) * socket.range.low;
   if (ratio > 1.0 && ratio > 1.0 + (ball.doubt + kTolerance) * (2.0 + ball.plane.norm() * socket.range.low))
     return true;
@@ -666,7 +667,7 @@ bool CellSearch::take_free(Parted& at, const CellHint& hint) const {
   if (hint.ball_face != CellHint::kNone && hint.socket_face != CellHint::kNone &&
       !keep_apart(at, posed(at.asked, hint.socket_face), ball.faces()[hint.ball_face]))
     return false;
-  const auto with = [&](std::uint32_t f) {  // is it in the way?
+  const auto with = [&](std::uint32_t f) {  // may face f touch the ball in all that is left?
     const PosedFace face = posed(at.asked, f);
     at.about = CapAngle(face.face->cap.radius + at.asked.angle.radius);
     const NearCap near{face.axis.cast<float>(),
@@ -697,7 +698,7 @@ bool CellSearch::take_free(Parted& at, const CellHint& hint) const {
   return !search_deepest(socket.face_tree(), SIZE_MAX, depth_of, with) && !at.left.empty();
 }
 
-// Clips what is left to where bodies are apart; false where that cannot be said of any of it.
+// Clips what is left to where bodies are apart; false if no such place could be shown.
 bool CellSearch::keep_bodies_apart(Parted& at, const NearPoses& poses, bool by_radii) const {
   const auto close = test_.bodies_.close(poses, by_radii, kMostClose);
   return close && std::all_of(close->begin(), close->end(), [&](const ClosePair& pair) {

@@ -21,8 +21,7 @@ struct HoleCell {
 };
 
 DirectionCap cap_of(const HoleCell& cell) {
-  // A little beside the middle: along a side of a face nothing is found, and sides of symmetric meshes are
-  // there.
+  // A little beside the middle: symmetric meshes have sides of faces there, along which no face is found.
   DirectionCap cap{
       cube_point(cell.face, cell.a + 0.0137 * cell.half, cell.b + 0.0071 * cell.half).normalized(), 0.0};
   for (const double da : {-cell.half, cell.half}) {
@@ -57,7 +56,7 @@ class HoleFinder {
   }
 
   std::vector<CapItem> holes;
-  std::vector<DirectionCap> clear;  // of them, without a face
+  std::vector<DirectionCap> clear;  // those of `holes` without a face
 
  private:
   const SeenSurface& surface_;

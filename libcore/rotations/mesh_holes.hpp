@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a surface is missing, as the centre sees it.
+// Where the centre sees no face of a surface.
 #pragma once
 
 #include <vector>
@@ -12,13 +12,12 @@ namespace impinge {
 /// Directions that meet no face.
 struct MeshHoles {
   CapTree tree;                     // of `caps`; empty for a surface all round
-  std::vector<DirectionCap> caps;   // these together hold all such directions, in the order of the tree
-  std::vector<DirectionCap> empty;  // those of them near which no face has a direction
+  std::vector<DirectionCap> caps;   // together they hold all such directions; in the order of the tree
+  std::vector<DirectionCap> empty;  // caps of these in which no direction meets a face
 };
 
-/// Made of cells on the six faces of a cube, each halved until the mesh covers it without a hole
-/// (SeenSurface::covers(), from any face along its middle), no face is near, or it is 0.35 degrees wide: then
-/// it counts as missing.
+/// The holes of a surface, as caps round cells on the six faces of a cube. A cell is halved until the surface
+/// covers it (SeenSurface::covers()), no face is near, or it is 0.35 degrees wide: then it counts as missing.
 MeshHoles mesh_holes(const SeenSurface& surface);
 
 }  // namespace impinge

@@ -21,7 +21,7 @@ RadiiOverCap::RadiiOverCap(const TriangleMesh& mesh, Layer layer)
   }
 }
 
-// The end that no face is beyond: the least radius of the nearest layer, the largest of the farthest.
+// The bound from all faces near the cap: the least radius of the nearest layer, the largest of the farthest.
 double RadiiOverCap::of_faces(const DirectionCap& cap) const {
   if (cap.radius + kCapSlack > kIndexReach)
     return static_cast<double>(wide_.within(cap.axis, std::nextafter(static_cast<float>(cap.radius), 4.0F)));
@@ -35,8 +35,8 @@ double RadiiOverCap::of_faces(const DirectionCap& cap) const {
   return nearest() ? all.low * (1.0 - kOutwards) : all.high * (1.0 + kOutwards);
 }
 
-// A chord is no longer than its arc, and the straight line between the ends is no farther from a direction
-// than the arc is: what it is nearer by, the square of its length, makes an edge count a little early.
+// May a jump edge meet the cap? An edge's arc is within its sagitta of the chord, so that distances from the
+// chord are compared; this makes an edge count a little early.
 bool RadiiOverCap::meets_jump(const DirectionCap& cap) const {
   return std::ranges::any_of(jumps_, [&cap](const Jump& jump) {
     if ((jump.middle - cap.axis).norm() > cap.radius + jump.angle + kCapSlack) return false;
@@ -46,7 +46,7 @@ bool RadiiOverCap::meets_jump(const DirectionCap& cap) const {
   });
 }
 
-// The other end, by the sheet that the axis meets: the layer is nowhere beyond it.
+// The other bound, from the sheet that the axis meets and that goes on over the cap.
 double RadiiOverCap::of_sheet(const DirectionCap& cap) const {
   if (cap.radius + kCapSlack > kIndexReach || meets_jump(cap)) return none();
   const double middle = index_.radius(cap.axis);

@@ -33,11 +33,11 @@ class RaySpans {
   bool meets(double from, double to) const {
     return std::ranges::any_of(spans_, [&](const RadiusRange& s) { return s.low <= to && from <= s.high; });
   }
-  /// How much of [from, to] it holds, mm.
+  /// The length of [from, to] that it holds, mm.
   double length(double from, double to) const {
     return sum(from, to, [](double radius) { return radius; });
   }
-  /// Volume that it holds up to radius `to`, mm^3 a steradian.
+  /// The volume that it holds up to the radius `to`, mm^3 per steradian.
   double volume(double to) const {
     return sum(0.0, to, [](double radius) { return radius * radius * radius / 3.0; });
   }

@@ -9,9 +9,9 @@ namespace impinge {
 namespace {
 
 constexpr double kCornerRounding = 1e-12;  // radians
-constexpr std::uint32_t kSmooth = 4;       // level from which Gauss's rule is good enough
+constexpr std::uint32_t kSmooth = 4;       // from this level on Gauss's rule is good enough (kShareError)
 
-// A cell by its cube and its places along the three sides.
+// A cell as its cube and its index along each of the three sides.
 struct CellPlace {
   std::size_t cube = 0;
   std::array<std::uint64_t, 3> line{};
@@ -36,14 +36,14 @@ RotationCell cell_at(const CellPlace& place, std::uint32_t level) {
   return cell;
 }
 
-// The coordinate along side k of a cube.
+// The coordinate of a quaternion that goes along a side of a cube.
 std::size_t coordinate(std::size_t cube, std::size_t side) { return side < cube ? side : side + 1; }
-// And the other way.
+// The side of a cube along which a coordinate goes.
 std::size_t side_number(std::size_t cube, std::size_t coordinate) {
   return coordinate < cube ? coordinate : coordinate - 1;
 }
 
-// Of 1 / (1 + x^2 + y^2 + z^2)^2 over the cell.
+// The integral of 1 / (1 + x^2 + y^2 + z^2)^2 over the cell.
 double integral(const RotationCell& cell) {
   constexpr std::array<double, 4> kPoint{-0.86113631159405257522, -0.33998104358485626480,
                                          0.33998104358485626480, 0.86113631159405257522};
@@ -141,7 +141,7 @@ RotationCell beside(const RotationCell& cell, std::size_t side) {
     place.line[k] = upper ? place.line[k] + 1 : place.line[k] - 1;
     return cell_at(place, cell.level);
   }
-  // The coordinate along k is 1 or -1 on this border: divided by it the others keep or change their sign.
+  // On this border the coordinate along k is 1 or -1. Divided by it the others keep or change their sign.
   const std::size_t crossed = coordinate(place.cube, k);
   CellPlace other{crossed, {}};
   for (std::size_t of = 0; of < 4; ++of) {

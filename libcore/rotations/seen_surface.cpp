@@ -10,11 +10,12 @@
 namespace impinge {
 namespace {
 
-constexpr double kMostDoubt = 1e-9;  // a plane that is less certain is not used
-constexpr double kThinSide = 1e-6;   // sides that are seen under a smaller angle have no plane of their own
-constexpr double kPlaneRounding = 4e-15;  // of q . v, a share of |q| |v|
+constexpr double kMostDoubt = 1e-9;       // a plane that is less certain is not used
+constexpr double kThinSide = 1e-6;        // a side that is seen under a smaller angle has no plane
+constexpr double kPlaneRounding = 4e-15;  // rounding of q . v as a share of |q| |v|
 
-// What is known of the plane of a face.
+// Adds the plane of a face, if it is certain enough. A point of the face is a mean of its corners v, so that
+// the relative error of 1 / r is at most the largest |q . v - 1|.
 void add_plane(const std::array<Vec3, 3>& v, DirectionFace& face) {
   face.plane = Vec3::Zero();
   const Vec3 normal = (v[1] - v[0]).cross(v[2] - v[0]);
@@ -44,15 +45,15 @@ DirectionFace seen_face(const TriangleMesh& mesh, const Face& face) {
   return seen;
 }
 
-// For each side of each face one that lies on the other side of the plane through it and the centre.
+// Finds, for each side of each face, a face on the other side of the plane through the centre and that side.
 void find_neighbours(const TriangleMesh& mesh, std::vector<DirectionFace>& faces) {
   for (DirectionFace& face : faces) face.beyond.fill(DirectionFace::kNone);
   for_each_edge(mesh, [&](std::span<const HalfEdge> at) {
     const Edge edge = ends(mesh, at[0]);
-    std::array<std::uint32_t, 2> on{DirectionFace::kNone, DirectionFace::kNone};  // a face on either side
+    std::array<std::uint32_t, 2> on{DirectionFace::kNone, DirectionFace::kNone};  // on either side
     const auto turn = [&](const HalfEdge& h) {
       const Vec3& third = corner(mesh, mesh.faces[h.face], (h.side + 2) % 3);
-      return orientation(mesh.vertices[edge[0]], mesh.vertices[edge[1]], third);  // 0 of one that is edge-on
+      return orientation(mesh.vertices[edge[0]], mesh.vertices[edge[1]], third);  // 0 if edge-on
     };
     for (const HalfEdge& h : at)
       if (turn(h) != 0) on[turn(h) > 0 ? 1 : 0] = static_cast<std::uint32_t>(h.face);
@@ -61,11 +62,11 @@ void find_neighbours(const TriangleMesh& mesh, std::vector<DirectionFace>& faces
   });
 }
 
-// Faces of the mesh in the order of their tree.
+// Makes the tree of the faces, and sorts the faces in its order.
 CapTree sorted(TriangleMesh& mesh) {
   std::vector<CapItem> items;
   for (const Face& face : mesh.faces) {
-    const FaceCap cap = face_cap(corners_of(mesh, face));  // where it is edge-on
+    const FaceCap cap = face_cap(corners_of(mesh, face));  // used where the face is edge-on
     items.push_back(cap_item(mesh, face)
                         .value_or(CapItem{{cap.cap.axis, cap.small() ? cap.cap.radius : kPi}, cap.range}));
   }
@@ -202,14 +203,15 @@ bool SeenSurface::side_meets(const DirectionFace& face, std::size_t side, const 
   const Vec3& b = face.corner[(side + 1) % 3];
   if (std::abs(n.dot(cap.axis)) > cap.sine) return false;
   if (a.dot(cap.axis) >= cap.cosine || b.dot(cap.axis) >= cap.cosine) return true;
-  // The nearest direction of the side's great circle is between its ends, or the side is all beyond.
+  // Both ends are outside of the cap: the side meets it only if the nearest direction of its great circle is
+  // between the ends.
   const Vec3 along = a.cross(b);
   return a.cross(cap.axis).dot(along) >= -kDirectionSlack && cap.axis.cross(b).dot(along) >= -kDirectionSlack;
 }
 
 void SeenSurface::begin(PatchMemory& memory, std::uint32_t from) const {
   memory.mark.resize(faces_.size(), 0);
-  if (++memory.search == 0) {  // once in four thousand million searches
+  if (++memory.search == 0) {  // the counter has overflowed
     std::ranges::fill(memory.mark, 0U);
     memory.search = 1;
   }

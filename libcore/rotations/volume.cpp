@@ -14,9 +14,9 @@
 namespace impinge {
 namespace {
 
-constexpr std::size_t kBatch = 1024;    // cells that are split before anyone looks at the width
-constexpr std::size_t kTaken = 16;      // of them that a thread takes at a time
-constexpr double kWidestParted = 0.03;  // width from which on parts are worth their time by radii
+constexpr std::size_t kBatch = 1024;    // cells that are split before the open share is looked at
+constexpr std::size_t kTaken = 16;      // cells that a thread takes at a time
+constexpr double kWidestParted = 0.03;  // for a larger width, parts by radii are not worth their time
 constexpr std::uint8_t kCertainly = 1;
 constexpr std::uint8_t kPerhaps = 2;
 
@@ -57,9 +57,9 @@ class MotionVolume::Refinement {
     RotationCell cell;
     CellHint hint;
     CellVerdict verdict;
-    double share;  // that is open
+    double share;  // of all rotations that is open in this cell
     CellPart part;
-    CellState told;  // of it by its parent's; open where that does not say
+    CellState told;  // what the part of its parent says of it; open if nothing
   };
 
   void split(std::size_t most) {
@@ -127,7 +127,7 @@ class MotionVolume::Refinement {
       volume_.parts_.push_back(std::move(at.part));
     }
     if (at.cell.level == kFinestCells || at.share <= 0.0) return;
-    // Not into the list that is being split: a child has an eighth of the share, or somewhat more or less.
+    // A child with nearly the share of its parent must not join the list that is being split.
     const auto octave = static_cast<int>(std::floor(-4.0 * std::log2(at.share)));
     waiting_[std::max(octave, next_octave())].push_back({at.cell, node, at.share});
   }
@@ -146,8 +146,8 @@ class MotionVolume::Refinement {
   bool parted_;  // are open cells taken apart?
   std::span<const CellVerdict> known_;
   std::vector<CellSearch> searches_;
-  std::map<int, std::vector<Open>> waiting_;  // by share, quarter octaves below 1
-  std::size_t begun_ = 0;                     // so many of the first list are split
+  std::map<int, std::vector<Open>> waiting_;  // open cells by quarter octaves of their share
+  std::size_t begun_ = 0;                     // so many of the first list have been split
   double open_ = 0.0;
   std::size_t cells_ = 0;
 };
@@ -191,7 +191,7 @@ void MotionVolume::for_each(const std::function<void(const VolumeCell&)>& visit)
   }
 }
 
-// The node of the cell, or the leaf that holds it.
+// The node of the cell; or the leaf that holds it, if it is not divided so far.
 std::uint32_t MotionVolume::find(const RotationCell& cell) const {
   auto node = static_cast<std::uint32_t>(cell.number >> (3 * cell.level));
   for (std::uint32_t level = cell.level; level > 0 && nodes_[node].first != 0; --level)
@@ -216,13 +216,14 @@ VolumeCell MotionVolume::at(const Quaternion4& q) const {
   return found;
 }
 
-// Is a rotation of the leaf proven free?
+// Is the rotation q of the leaf proven free?
 bool MotionVolume::is_free(const RotationCell& cell, std::uint32_t node, const Quaternion4& q) const {
   const Node& at = nodes_[node];
   return at.state == CellState::free || (at.part != 0 && parts_[at.part].is_free(CellFrame(cell).place(q)));
 }
 
-// Do free rotations of a leaf, and of one beside it that is no smaller, meet on its side?
+// Is one of nine places on a side of a leaf free, both for the leaf and for its neighbour there? The
+// neighbour must be no smaller.
 bool MotionVolume::meet(const RotationCell& cell, std::uint32_t node, std::size_t side) const {
   RotationCell beyond = beside(cell, side);
   const std::uint32_t other = find(beyond);
@@ -240,8 +241,8 @@ bool MotionVolume::meet(const RotationCell& cell, std::uint32_t node, std::size_
   return false;
 }
 
-// Joins leaves across their sides and marks those that are joined to the neutral rotation, which is where the
-// eight parts of the first cube meet.
+// Joins leaves across their sides and marks those that are joined to the neutral rotation, which is the
+// common corner of the first cube's eighths.
 void MotionVolume::join(std::uint8_t bit) {
   const auto counts = [&](std::uint32_t node) {
     const Node& at = nodes_[node];

@@ -12,12 +12,13 @@
 namespace impinge {
 namespace {
 
-// Cells are decided for rotations 1e-9 rad beyond them: what rounding may part is joined again.
+// Radians. Cells are decided for rotations up to 1e-9 rad beyond them, so that a gap as narrow as this
+// between neighbouring cells, which only rounding makes, counts as free.
 constexpr double kJoined = 1e-10;
 
 Quaternion4 quaternion(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
-// Half angles h, where q(h) = cos h from + sin h across.
+// A turn: at the half angle h its quaternion is q(h) = cos h from + sin h across.
 struct HalfTurn {
   Quaternion4 from;
   Quaternion4 across;
@@ -26,18 +27,18 @@ struct HalfAngles {
   double low;
   double high;
   bool empty() const { return !(low <= high); }
-  // Keeps those where n . q(h) >= 0. h being in [0, pi / 2], they are one span.
+  // Keeps the half angles h with n . q(h) >= 0: one span, since h is in [0, pi / 2].
   void keep(const HalfTurn& turn, const Quaternion4& n) {
     const double cosine = n.dot(turn.from);
     const double sine = n.dot(turn.across);
-    if (std::abs(cosine) + std::abs(sine) < kJoined) return;  // the way runs along this side
+    if (std::abs(cosine) + std::abs(sine) < kJoined) return;  // the turn runs along this side
     const double phase = std::atan2(sine, cosine);
     low = std::max(low, phase - 0.5 * kPi - kJoined);
     high = std::min(high, phase + 0.5 * kPi + kJoined);
   }
 };
 
-// Those within a cell; sign is that of the quaternion.
+// The half angles at which the quaternion, times sign, is in the cell.
 HalfAngles within(const RotationCell& cell, const HalfTurn& turn, double sign, double largest) {
   HalfAngles found{0.0, largest};
   const auto cube = static_cast<Eigen::Index>(cell.number >> (3 * cell.level));
@@ -58,7 +59,7 @@ struct CellOnWay {
   void add_parts(const HalfTurn& way, double sign, std::vector<CellOnWay>& met) const;
 };
 
-// Of an open cell: where the way is in parts of it that are free or blocked.
+// Adds the spans of the turn that are in free or blocked parts of an open cell.
 void CellOnWay::add_parts(const HalfTurn& way, double sign, std::vector<CellOnWay>& met) const {
   if (cell.part == nullptr) return;
   const CellFrame frame(cell.cell);

@@ -26,8 +26,7 @@ void include_bulge(const Vec3& a, const Vec3& b, AngularBox& box) {
   if (rise_at_a <= 0.0 && rise_at_b >= 0.0) box.phi_max = std::max(box.phi_max, kPi - top);
 }
 
-// Azimuth range of the corners taken along the edges; the whole circle if a pole is inside or on the
-// boundary.
+// The range of azimuths along the edges; the whole circle if a pole is inside or on the boundary.
 void set_azimuths(const std::array<Vec3, 3>& corners, const std::array<Angles, 3>& angles, AngularBox& box) {
   double at = angles[0].theta;
   double low = at;

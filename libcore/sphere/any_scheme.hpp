@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sampling scheme chosen while the program runs, behind one type: code that uses it is compiled once, not
-// once a scheme. It answers with the very numbers of the scheme that it holds.
+// Holds any sampling scheme behind one type, chosen while the program runs, so that code that uses it is
+// compiled once, not once for each scheme. It gives exactly the numbers of the scheme that it holds.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ class AnyScheme {
   using VisitStencil = std::function<void(const Stencil&)>;   // takes each stencil of for_each_cell_across()
   using VisitRun = std::function<void(const DirectionRun&)>;  // takes each run of visit_near()
 
-  /// What a scheme is asked for; see sphere/scheme.hpp.
+  /// The functions of a scheme, see sphere/scheme.hpp.
   class Model {
    public:
     Model() = default;
@@ -38,14 +38,14 @@ class AnyScheme {
     virtual Vec3 direction(std::size_t entry) const = 0;
     virtual Stencil stencil(const Vec3& x) const = 0;
     virtual void for_each_cell_across(const Stencil& at, const VisitStencil& visit) const = 0;
-    /// That of the scheme's walker.
+    /// As visit_near() of the scheme's walker.
     virtual void visit_near(const TriangleCone& cone, double margin, const VisitRun& visit) const = 0;
   };
 
-  /// Finds entries in or near triangles. Shares the scheme, which may go before it.
+  /// Finds entries in or near triangles. Keeps the scheme alive.
   class Walker {
    public:
-    /// Of the scheme that a model holds.
+    /// A walker of the scheme that `model` holds.
     explicit Walker(std::shared_ptr<const Model> model) : model_(std::move(model)) {}
     void visit_near(const TriangleCone& cone, double margin, const VisitRun& visit) const {
       model_->visit_near(cone, margin, visit);
@@ -55,15 +55,15 @@ class AnyScheme {
     std::shared_ptr<const Model> model_;
   };
 
-  /// The scheme of that name whose entries are so many degrees apart. std::invalid_argument for a name or a
-  /// precision that there is not.
+  /// The scheme of this name whose entries are `precision_deg` degrees apart at the equator. Throws
+  /// std::invalid_argument if there is no such name or precision.
   AnyScheme(std::string_view name, double precision_deg);
 
   std::string_view name() const { return model_->name(); }
   double precision_deg() const { return model_->precision_deg(); }
   std::size_t size() const { return model_->size(); }
   std::size_t cells() const { return model_->cells(); }
-  /// Is it one of HasKnownBorders? Only then meets_cells_once() may be asked.
+  /// Does the scheme satisfy HasKnownBorders? Only then may meets_cells_once() be called.
   bool has_known_borders() const { return model_->has_known_borders(); }
   bool meets_cells_once(const Vec3& a, const Vec3& b) const { return model_->meets_cells_once(a, b); }
   double covering_radius() const { return covering_radius_; }
@@ -81,7 +81,7 @@ class AnyScheme {
   double stencil_radius_;
 };
 
-/// Names of all schemes, in their order.
+/// The names of all schemes, in alphabetical order.
 std::vector<std::string> all_scheme_names();
 
 }  // namespace impinge

@@ -26,7 +26,7 @@ double ArcSteps::polar_angle(double t) const {
   return south ? kPi - from_pole : from_pole;
 }
 
-// A whole number of turns: the southern half is the northern one turned over.
+// As the number of turns is whole, the southern half is the northern one turned over.
 Vec3 ArcSteps::direction(std::size_t entry) const {
   const auto i = static_cast<double>(entry);
   const bool south = i > 0.5 * last_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Placement of a Spiral (sphere/spiral.hpp): the helix theta = 2 k phi (thesis, Eq. 9) whose w entries stand
-// at equal steps of true arc length. With L(phi) = integral_0^phi sqrt(1 + 4 k^2 sin^2 t) dt = E(phi | m = -4
-// k^2) the place of a point is t(phi) = (w - 1) L(phi) / L(pi).
+// A placement for Spiral (sphere/spiral.hpp): w entries at equal steps of true arc length on the helix
+// theta = 2 k phi (thesis, Eq. 9). The length up to phi is
+//   L(phi) = integral_0^phi sqrt(1 + 4 k^2 sin^2 t) dt = E(phi | m = -4 k^2),
+// and the place there is t(phi) = (w - 1) L(phi) / L(pi).
 #pragma once
 
 #include <cstddef>
@@ -27,7 +28,7 @@ class ArcSteps {
   double place(double phi) const;
   double polar_angle(double t) const;
 
-  double length() const { return 2.0 * northern_.length(); }  // L(pi), radii
+  double length() const { return 2.0 * northern_.length(); }  // L(pi), on the unit sphere
 
   Vec3 direction(std::size_t entry) const;
 
@@ -40,7 +41,7 @@ class ArcSteps {
   double turns_;
   double spacing_;  // of two turns, radians
   EllipticArc northern_;
-  double step_;  // between entries, radii
+  double step_;  // of length between entries
 };
 
 }  // namespace impinge

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points that single precision holds.
+// Rounds points to single precision.
 #pragma once
 
 #include "sphere/direction.hpp"
 
 namespace impinge {
 
-/// Rounded to floats. Volatile, because GCC 12 leaves the rounding out, from -O2 on, where it turns two
-/// doubles at a time to floats and back, as it does of x.cast<float>().cast<double>().
+/// x with each coordinate rounded to float. The variable is volatile because GCC 12, from -O2 on, leaves the
+/// rounding out where it turns two doubles at a time to floats and back, as in
+/// x.cast<float>().cast<double>().
 inline Vec3 as_floats(const Vec3& x) {
   const auto rounded = [](double value) {
     const volatile float near = static_cast<float>(value);

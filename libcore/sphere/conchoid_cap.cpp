@@ -31,11 +31,11 @@ double ConchoidCap::area(double y) const {
   return 4.0 * kPi * y / (v + r) * (fourth / 5.0 + product_ * ((v + r) * v + r * r) / 3.0);
 }
 
-// Newton's method without an overshoot: seen from the north pole the area is concave in y and the start left
-// of the answer, seen from the south pole convex and the start to the right.
+// Newton's method does not overshoot here: at the north pole the area is concave in y and the start is left
+// of the answer; at the south pole the area is convex and the start is to the right.
 double ConchoidCap::find_y(double wanted) const {
   constexpr int kMostSteps = 200;
-  constexpr double kLast = 1e-9;  // each step leaves about the square of its share of y
+  constexpr double kLast = 1e-9;  // share of y; the next step would be about its square
   double y = std::min(wanted / (4.0 * kPi * pole_radius_ * pole_radius_), 0.5);
   for (int k = 0; k < kMostSteps; ++k) {
     const double v = std::sqrt(pole_radius_ * pole_radius_ + bend_ * y);

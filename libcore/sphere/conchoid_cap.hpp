@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface of a rotational conchoid r = 1 + b cos(phi) (lengths in units of its a, 0 <= b < 1) about one
-// of its poles, in forms without cancellation there.
+// The area and the meridian of a cap round a pole of the rotational conchoid r = 1 + b cos(phi), in forms
+// that lose no digits near the pole. Lengths are in units of its a, and 0 <= b < 1.
 //
-// With chi the polar angle from that pole, r0 = 1 + b its radius at the north pole and 1 - b at the south
-// pole, q = -+4 b and y = sin^2(chi / 2):
+// Let chi be the polar angle from that pole, y = sin^2(chi / 2), r0 = 1 + b and q = -4 b at the north pole,
+// r0 = 1 - b and q = 4 b at the south pole:
 //   r = r0 + q y / 2,    v = ds / dchi = sqrt(r^2 + r'^2) = sqrt(r0^2 + q y).
 // dA = 2 pi r sin(chi) ds = 4 pi r v dy. As r = (v^2 + 1 - b^2) / 2 and 2 v dv = q dy, the area is
 //   A = (4 pi / q) [v^5 / 5 + (1 - b^2) v^3 / 3] from r0 to v,
@@ -28,16 +28,17 @@ class ConchoidCap {
  public:
   ConchoidCap(Pole pole, double b);  // the cap round a pole; 0 <= b < 1, in units of a
 
-  /// Of the hemisphere of directions round the pole, chi <= pi / 2.
+  /// Area of the whole cap, chi <= pi / 2.
   double whole_area() const { return area(0.5); }
-  /// The meridian from the pole to chi = pi / 2.
+  /// Length of the meridian from the pole to chi = pi / 2.
   double whole_length() const { return 2.0 * pole_radius_ * arc_.length(); }
 
-  /// Area up to y, and y at an area up to whole_area(), which comes from a table.
+  /// Area of the cap up to y.
   double area(double y) const;
-  double y_at_area(double area) const { return area * (*mean_thinness_)(area); }  // inverse of area()
+  /// Inverse of area(), up to whole_area(), from a table.
+  double y_at_area(double area) const { return area * (*mean_thinness_)(area); }
 
-  /// Length of the meridian up to chi <= pi / 2, and its inverse.
+  /// Length of the meridian from the pole to chi <= pi / 2.
   double length(double chi) const { return 2.0 * pole_radius_ * arc_.length(0.5 * chi); }
   /// Inverse of length().
   double angle(double length) const { return 2.0 * arc_.angle(0.5 * length / pole_radius_); }

@@ -7,7 +7,7 @@ namespace impinge {
 /// acetabulum (Menschik 1997; thesis, Section 5.1.2).
 struct ConchoidShape {
   double a = 20.501;  // r at phi = 90 degrees, above b
-  double b = 17.843;  // what r gains at phi = 0 and loses at 180 degrees
+  double b = 17.843;  // r is a + b at phi = 0 and a - b at phi = 180 degrees
 
   friend bool operator==(const ConchoidShape&, const ConchoidShape&) = default;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Placement of a Spiral (sphere/spiral.hpp) that is uniform on the surface of a rotational conchoid r = a + b
-// cos(phi): entries at equal steps of area A(phi), on turns at equal distances h along the meridian s(phi),
+// A placement for Spiral (sphere/spiral.hpp) that is uniform on the surface of the rotational conchoid r = a
+// + b cos(phi). Entries stand at equal steps of area A(phi), on turns at equal distances h along the
+// meridian, whose length is s(phi):
 //   A(phi_i) = A(pi) i / (w - 1),   theta_i = 2 pi s(phi_i) / h,   h^2 = A(pi) / w,
 // so that entries are as far apart along a turn as turns are. With b = 0 this is the isotropic helix.
 #pragma once
@@ -26,8 +27,8 @@ class ConchoidSteps {
   double ratio() const { return b_; }          // b / a
   double step_area() const { return step_; }   // between entries, in units of a^2
   double turn(double phi) const;
-  /// With s' = m, m^2 = 1 + b^2 + 2 b cos(phi): |s'| <= 1 + b, and |s''| = b sin(phi) / m is b where cos(phi)
-  /// = -b.
+  /// The turn is s / h. With s' = m, m^2 = 1 + b^2 + 2 b cos(phi), |s'| is at most 1 + b, and |s''| = b
+  /// sin(phi) / m is largest, b, where cos(phi) = -b.
   double most_turn_rate() const { return (1.0 + b_) / spacing_; }
   double most_turn_bend() const { return b_ / spacing_; }
   double polar_of_turn(double turn) const;
@@ -41,7 +42,7 @@ class ConchoidSteps {
   }
 
  private:
-  /// What is known of a place: the pole that it is treated from and sin^2 of half of its angle from there.
+  /// A place as seen from the pole of its hemisphere: which pole, and sin^2 of half the angle from there.
   struct Seen {
     bool south;
     double y;
@@ -54,7 +55,7 @@ class ConchoidSteps {
   ConchoidCap south_;
   double step_;  // area between entries
   double spacing_;
-  double north_places_;  // from the north pole to phi = pi / 2, and so on
+  double north_places_;  // places from the north pole to phi = pi / 2; turns likewise
   double north_turns_;
   double south_turns_;
 };

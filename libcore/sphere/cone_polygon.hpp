@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of a triangle cone that lies within a pyramid from the centre, for walkers of face-wise schemes.
+// Clips a triangle cone by planes through the centre, for walkers of schemes on the faces of a solid.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@ class ConePolygon {
     for (std::size_t k = 0; k < 3; ++k) corner_[k] = cone.corners()[k].stableNormalized();
   }
 
-  /// What clipping has left, in order; valid until the next clip().
+  /// The corners that clipping has left, in order; valid until the next clip().
   std::span<const Vec3> corners() const { return {corner_.data(), count_}; }
   bool empty() const { return count_ == 0; }  // nothing is left
-  /// Half as many again for each of at most four planes, were rounding to make a polygon as bad as can be.
+  /// Room for four clips: by rounding, each can make half as many corners again at the worst.
   static constexpr std::size_t kMostCorners = 14;
 
-  /// Keeps what is on the side plane . x >= 0 (Sutherland and Hodgman 1974: a spherical polygon is clipped as
-  /// the flat one). Rounding is of the order of 1e-15 of the corners, which have length one at first.
+  /// Keeps the part with plane . x >= 0 (Sutherland and Hodgman 1974; a spherical polygon is clipped like a
+  /// flat one). Corners have length one at first; their rounding is of the order of 1e-15.
   void clip(const Vec3& plane) {
     std::size_t above = 0;
     for (std::size_t k = 0; k < count_; ++k) above += plane.dot(corner_[k]) >= 0.0 ? 1U : 0U;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cube maps: the sphere seen through the six faces of the cube [-1, 1]^3, each a grid of (n + 1)^2 entries.
 //
-// Entry (i, j) of a face is at (a_i, a_j) of it (sphere/cube_faces.hpp), a_k = warp(-1 + 2 k / n). Lookup is
-// bilinear in the unwarped coordinate. Grid lines are great circles whatever the warp. Entries on the edges
-// of the cube are repeated on each of its faces, bit for bit, so that no lookup crosses a seam: 6 (n + 1)^2
-// entries of which 6 n^2 + 2 differ. The cells are rectangles in (a, b), whatever the warp, so that
-// plane_stencil() is bilinear in it.
+// Entry (i, j) of a face stands at its place (a_i, a_j) (sphere/cube_faces.hpp), where a_k = warp(-1 + 2 k /
+// n). A look-up is bilinear in the unwarped coordinates. Whatever the warp, grid lines are great circles and
+// cells are rectangles in (a, b), so that plane_stencil() is bilinear there. Entries on the edges of the cube
+// are repeated on each face, bit for bit, so that no look-up crosses a seam: of 6 (n + 1)^2 entries 6 n^2 + 2
+// differ.
 //
 // Precision is 90 / n degrees: 4 n entries stand round the equator.
 #pragma once
@@ -25,11 +25,11 @@
 namespace impinge {
 
 /// A warp says what makes one cube map differ from another:
-///   name, label, citation   those of the scheme (sphere/scheme.hpp)
+///   name, label, citation   of the scheme (sphere/scheme.hpp)
 ///   node(t)          a for t in [-1, 1]; odd, with node(1) == 1 exactly
 ///   coordinate(a)    inverse of node()
 ///   kLongestWay      the longest way between two points of a cell along straight lines of t, over 2 / n; rad
-/// and that the widest cell is the one at the middle of the face. With an overload of line_motion()
+/// Its widest cell must be the one at the middle of the face. With an overload of line_motion()
 /// (table/patches/cube_patches.hpp) the bound on a table's error is tight; without one it is of first order.
 template <class Warp>
 class CubeMap {
@@ -75,7 +75,7 @@ class CubeMap {
   friend bool operator==(const CubeMap&, const CubeMap&) = default;
 
  private:
-  /// Grid line below a coordinate and the share of the cell that is left of it.
+  /// The grid line below a coordinate, and how far into the cell the coordinate is, from 0 to 1.
   struct Place {
     std::size_t line;
     double share;
@@ -91,7 +91,7 @@ class CubeMap {
     return {line, std::min(position - static_cast<double>(line), 1.0)};
   }
 
-  /// The same line, with the share of the flat cell.
+  /// The same line, with the share on the flat face.
   Place flat_place(double a) const {
     const std::size_t line = place(a).line;
     const double from = node(line);
@@ -111,7 +111,7 @@ class CubeMap {
             (at.face * n_ + j) * n_ + i};
   }
 
-  /// Whole numbers make the grid symmetric bit for bit.
+  /// Coordinate of grid line k. As the fraction is one of whole numbers, the grid is symmetric bit for bit.
   double node(std::size_t k) const {
     return Warp::node((2.0 * static_cast<double>(k) - static_cast<double>(n_)) / static_cast<double>(n_));
   }
@@ -134,7 +134,7 @@ double CubeMap<Warp>::covering_radius() const {
   return std::atan(t * std::hypot(1.0 / (1.0 + s), 1.0 / (s + r)));
 }
 
-/// Holds the coordinates of the grid lines, so that a filler computes each once.
+/// Computes the coordinate of each grid line once, for all triangles.
 template <class Warp>
 class CubeMap<Warp>::Walker {
  public:
@@ -154,7 +154,7 @@ class CubeMap<Warp>::Walker {
   }
 
  private:
-  static constexpr double kRounding = 1e-10;     // rad, far above that of clipping
+  static constexpr double kRounding = 1e-10;     // rad, far above the rounding of clipping
   static constexpr double kSlack = 1e-6;         // of a spacing
   static constexpr double kLargestMargin = 0.5;  // rad; beyond it every entry is near
 
@@ -168,8 +168,8 @@ class CubeMap<Warp>::Walker {
     Lines rows;
   };
 
-  /// How far a margin reaches: seen from an axis across that of the face, a point of the face is at least 45
-  /// degrees away, so that a cap of that radius about it spans asin(sqrt(2) sin margin) either way.
+  /// How far a margin reaches on a face. A point of the face is at least 45 degrees from the axes across, so
+  /// that a cap of radius `margin` round it spans asin(sqrt(2) sin margin) about such an axis, either way.
   struct Spread {
     explicit Spread(double margin) : all(margin > kLargestMargin) {
       const double y = std::sqrt(2.0) * std::sin(margin + kRounding);
@@ -190,7 +190,7 @@ class CubeMap<Warp>::Walker {
             std::min(static_cast<std::size_t>(std::max(last, -1.0) + 1.0), node_.size())};
   }
 
-  /// Where on a face the entries within the margin of a triangle can be.
+  /// The grid lines of a face on which entries within the margin of a triangle can be.
   Window window(const ConePolygon& triangle, std::size_t face, const Spread& spread) const {
     const Window everything{{0, node_.size()}, {0, node_.size()}};
     if (spread.all) return everything;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The faces of the cube [-1, 1]^3 round the centre, as everything numbers them that looks through them.
+// Numbers the faces of the cube [-1, 1]^3 round the centre, and gives the place of a direction on them.
 //
-// Face 2 k looks along the k-th axis, face 2 k + 1 against it. A direction is at (a, b) on its face: the
-// other two coordinates, in the order x, y, z, over the size of the largest one, the depth.
+// Face 2 k looks along the k-th axis, face 2 k + 1 against it. The depth of a point is the size of its
+// largest coordinate. The place (a, b) of its direction is its other two coordinates, in the order x, y, z,
+// divided by the depth.
 #pragma once
 
 #include <array>
@@ -15,13 +16,13 @@
 
 namespace impinge {
 
-/// Which coordinate is what on a face.
+/// Which coordinates give depth, a and b on a face.
 struct CubeAxes {
   Eigen::Index depth, a, b;
 };
 inline constexpr std::array<CubeAxes, 3> kCubeAxes{{{0, 1, 2}, {1, 0, 2}, {2, 0, 1}}};
 
-/// Those of a face.
+/// The axes of a face.
 constexpr const CubeAxes& cube_axes(std::size_t face) { return kCubeAxes[face / 2]; }
 /// +1 for a face that looks along its axis, -1 against it.
 constexpr double cube_sign(std::size_t face) { return face % 2 == 0 ? 1.0 : -1.0; }
@@ -33,23 +34,23 @@ inline std::size_t cube_face(const Vec3& x) {
   return 2 * axis + (x[kCubeAxes[axis].depth] < 0.0 ? 1U : 0U);
 }
 
-/// Where a direction is: -1 <= a, b <= 1 but for rounding. depth, in the unit of the point, is 0 at the
-/// centre alone, where there is no direction.
+/// The place of a direction: -1 <= a, b <= 1 but for rounding. `depth` has the unit of the point, and is 0 at
+/// the centre alone, which has no direction.
 struct CubePlace {
   std::size_t face;
   double a;
   double b;
   double depth;
 };
-inline CubePlace cube_place(const Vec3& x) {  // of the direction of x
+inline CubePlace cube_place(const Vec3& x) {  // the place of the direction of x
   const std::size_t face = cube_face(x);
   const CubeAxes& axes = cube_axes(face);
   const double depth = std::abs(x[axes.depth]);
   return {face, x[axes.a] / depth, x[axes.b] / depth, depth};
 }
 
-/// The entry nearest to the direction of x on a grid of `cells` along an edge of every face, entries at both
-/// ends of an edge, numbered by face, row and column.
+/// The number of the entry nearest to the direction of x, on a grid of `cells` cells and `cells` + 1 entries
+/// along each edge of each face. Entries are numbered by face, row and column.
 inline std::size_t cube_entry(const Vec3& x, std::size_t cells) {
   const CubePlace at = cube_place(x);
   const auto line = [&](double place) {  // rounded; lround would be a call, and a third of the time
@@ -68,10 +69,10 @@ inline Vec3 cube_point(std::size_t face, double a, double b, double size = 1.0) 
   return x;
 }
 
-/// What of a cone one face of the cube sees: a convex polygon.
+/// The part of a cone that one face of the cube sees, a convex polygon.
 class CubeOutline {
  public:
-  /// Of a face that is wider than its own by the factor `widened`.
+  /// For a face that is made wider by the factor `widened`.
   CubeOutline(ConePolygon cone, std::size_t face, double widened) {
     const CubeAxes& axes = cube_axes(face);
     const double sign = cube_sign(face);
@@ -91,8 +92,8 @@ class CubeOutline {
     }
   }
 
-  /// An edge of the triangle passes close to the centre, so that corners are not accurate: it may be seen
-  /// anywhere.
+  /// True if an edge of the triangle passes so close to the centre that corners are inaccurate: the triangle
+  /// may be seen anywhere on the face.
   bool everything() const { return everything_; }
   std::span<const std::array<double, 2>> corners() const { return {corner_.data(), count_}; }  // (a, b)
 

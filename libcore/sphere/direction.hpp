@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A direction is a unit vector from the centre of rotation; its spherical angles are those of the thesis.
+// A direction is a unit vector from the centre of rotation; its spherical angles are as in the thesis.
 #pragma once
 
 #include <numbers>

@@ -6,8 +6,8 @@
 
 namespace impinge {
 
-// Each duplication brings the arguments four times nearer to their mean; then a Taylor series of fifth order
-// about it ends the work, with an error of the order of the sixth power of what is left.
+// Each duplication brings the arguments four times nearer to their mean. Then a Taylor series of fifth order
+// about the mean gives the rest, with an error of the order of the sixth power of the distance that is left.
 CarlsonIntegrals carlson_integrals(double x, double y, double z) {
   constexpr double kNear = 1.5e-3;  // 0.2 kNear^6 is below 2^-54
   double sum = 0.0;
@@ -62,7 +62,7 @@ double elliptic_e(double phi, double complement) {
     const CarlsonIntegrals r = carlson_integrals(c * c, rest, 1.0);
     return s * (r.rf - m / 3.0 * s * s * r.rd);
   }
-  // R_F does not ask for the order of its arguments, R_D has its third one to the power 3/2.
+  // R_F is symmetric in its arguments; in R_D the third one has the power 3/2.
   const CarlsonIntegrals r = carlson_integrals(c * c, 1.0, rest);
   return s * (complement * (r.rf + m / 3.0 * s * s * r.rd) + m * c / std::sqrt(rest));
 }

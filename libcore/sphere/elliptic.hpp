@@ -16,8 +16,8 @@ struct CarlsonIntegrals {
 CarlsonIntegrals carlson_integrals(double x, double y, double z);  // R_F(x, y, z) and R_D(x, y, z).
 
 /// E(phi | m) = integral_0^phi sqrt(1 - m sin^2 t) dt, Legendre's incomplete integral of the second kind, for
-/// phi in [0, pi / 2] and complement = 1 - m > 0: what a caller knows exactly where m is nearly 1. By sums of
-/// positive terms alone, DLMF 19.25.9 for m <= 0 and 19.25.10 for m > 0, so that no digit is lost.
+/// phi in [0, pi / 2] and complement = 1 - m > 0, which keeps its digits where m is nearly 1. Only positive
+/// terms are added, by DLMF 19.25.9 for m <= 0 and 19.25.10 for m > 0, so that no digit is lost.
 double elliptic_e(double phi, double complement);
 
 }  // namespace impinge

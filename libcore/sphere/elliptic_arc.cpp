@@ -8,12 +8,12 @@
 
 namespace impinge {
 
-// Newton's method without an overshoot. Where the speed rises (complement above 1) the length is convex, and
-// from length >= x and length >= sqrt(complement) (1 - cos x) the start is to the right of the answer; where
-// it falls the length is concave and at most x, and the start is to the left.
+// Newton's method does not overshoot here. Where the speed rises (complement above 1) the length is convex,
+// and as length >= x and length >= sqrt(complement) (1 - cos x) the start is to the right of the answer.
+// Where the speed falls the length is concave and at most x, and the start is to the left.
 double elliptic_angle(double length, double complement, double end) {
   constexpr int kMostSteps = 100;
-  constexpr double kLast = 1e-9;  // each step leaves about the square of its share of x
+  constexpr double kLast = 1e-9;  // share of x; the next step would be about its square
   double x = std::min(length, end);
   if (complement > 1.0) {
     const double share = length / (2.0 * std::sqrt(complement));

@@ -8,10 +8,10 @@
 
 namespace impinge {
 
-/// Arc from x = 0 to `end` with speed sqrt(cos^2 x + complement sin^2 x), complement = 1 - m > 0. `end` is at
-/// most pi / 2 where the speed rises, complement >= 1, and pi / 4 where it falls: beyond it may fall to
-/// nothing, and the length no longer tells x. A copy shares the tables of the original. Both functions have a
-/// relative error of about 1e-15.
+/// The arc from x = 0 to `end`, on which the length grows with the speed sqrt(cos^2 x + complement sin^2 x),
+/// complement = 1 - m > 0. `end` is at most pi / 2 if the speed rises, complement >= 1. If it falls, `end` is
+/// at most pi / 4: beyond, the speed may come so near to 0 that the length no longer determines x. Both
+/// functions have a relative error of about 1e-15. A copy shares the tables of the original.
 class EllipticArc {
  public:
   EllipticArc(double complement, double end);  // makes the tables

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A set of entries of a scheme, numbered: what a table that keeps only some of its entries is made of.
+// A numbered set of entries of a scheme, for tables that keep only some of their entries.
 #pragma once
 
 #include <array>
@@ -12,13 +12,14 @@
 
 namespace impinge {
 
-/// Entries in chunks of 4096. A chunk without any entry takes 4 bytes, another one 1.5 bits an entry.
+/// Memory: 4 bytes for each 4096 entries of the scheme and, if the set has one of them, 1.5 bits for each of
+/// the 4096.
 class EntrySet {
  public:
   /// An empty set of entries below `size`.
   explicit EntrySet(std::size_t size) : chunk_of_((size + kChunk - 1) / kChunk, kNone) {}
 
-  /// The set must not have been numbered.
+  /// Adds an entry. Only before number().
   void insert(std::size_t entry) {
     assert(entry / kChunk < chunk_of_.size());
     std::uint32_t& chunk = chunk_of_[entry / kChunk];
@@ -29,7 +30,7 @@ class EntrySet {
     chunks_[chunk].bits[entry % kChunk / 64] |= std::uint64_t{1} << (entry % 64);
   }
 
-  /// Gives every entry a slot, in ascending order; to be called once, after the last insert().
+  /// Numbers the entries in ascending order: each gets a slot. To be called once, after the last insert().
   void number() {
     for (const std::uint32_t chunk : chunk_of_) {
       if (chunk == kNone) continue;
@@ -48,7 +49,7 @@ class EntrySet {
     return chunk != kNone && (chunks_[chunk].bits[entry % kChunk / 64] >> (entry % 64) & 1U) != 0U;
   }
 
-  /// Slot of an entry of a numbered set, below count(); none if it is not in the set.
+  /// The slot of an entry, below count(); std::nullopt if it is not in the set. Only after number().
   std::optional<std::size_t> slot(std::size_t entry) const {
     const std::uint32_t chunk = chunk_of_[entry / kChunk];
     if (chunk == kNone) return std::nullopt;
@@ -59,7 +60,7 @@ class EntrySet {
     return chunks_[chunk].before[word] + static_cast<std::size_t>(std::popcount(bits & (bit - 1U)));
   }
 
-  /// Calls visit(entry) for each, in ascending order: in that of their slots.
+  /// Calls visit(entry) for each entry of the set, in ascending order.
   template <class Visit>
   void for_each(Visit&& visit) const {
     for (std::size_t c = 0; c < chunk_of_.size(); ++c) {
@@ -72,8 +73,8 @@ class EntrySet {
     }
   }
 
-  std::size_t count() const { return count_; }  // of a numbered set
-  /// Memory of chunks and of their index.
+  std::size_t count() const { return count_; }  // how many entries; only after number()
+  /// Bytes of memory.
   std::size_t bytes() const {
     return chunk_of_.size() * sizeof(std::uint32_t) + chunks_.size() * sizeof(Chunk);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Precision of the schemes whose grid is divided by a whole number: one meaning for all of them.
+// Turns a precision in degrees into the number of divisions of a grid, for all schemes that have one.
 #pragma once
 
 #include <cmath>
@@ -10,11 +10,11 @@
 
 namespace impinge {
 
-/// Entries come to at most 20 n^2 / 2 = 2.5e18, which a std::size_t holds.
+/// The largest n. With at most 20 n^2 / 2 entries that makes 2.5e18, which a std::size_t holds.
 inline constexpr double kMostDivisions = 5e8;
 
-/// Smallest n for which the entries on the equator are on average at most `degrees` apart, for a grid that
-/// places n of them on `arc` degrees of it. std::invalid_argument if there is none.
+/// The smallest n for which the entries on the equator are on average at most `degrees` apart, for a grid
+/// that places n of them on `arc` degrees of it. Throws std::invalid_argument if there is none.
 inline std::size_t equator_division(double degrees, double arc, std::string_view label) {
   const std::string start = "the precision of the scheme '" + std::string(label) + "' ";
   if (!(degrees > 0.0 && degrees <= 90.0))

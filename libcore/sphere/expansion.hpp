@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of doubles without rounding, for exact signs and for values rounded once. Theorem 1 (signs).
+// Adds doubles and their products without rounding, for exact signs and for sums that are rounded once.
+// Theorem 1 (signs).
 #pragma once
 
 #include <array>
@@ -10,9 +11,9 @@
 
 namespace impinge {
 
-/// Inside these a product of three lengths has neither lost digits to underflow nor overflowed.
+/// A product of three lengths between these two has neither lost digits to underflow nor overflowed.
 inline constexpr double kSmallestProduct = 1e-280;
-inline constexpr double kLargestProduct = 1e300;  // the largest of such products
+inline constexpr double kLargestProduct = 1e300;  // see kSmallestProduct
 
 /// Exact sum of doubles as a nonoverlapping expansion, smallest component first (Shewchuk 1997, "Adaptive
 /// precision floating-point arithmetic"). `Most` is at least the number of values added.
@@ -39,8 +40,8 @@ class Expansion {
     return component_[size_ - 1] > 0.0 ? 1 : -1;
   }
 
-  /// Off by 2^-53 of itself at most, but for 2^-53 of that: what is below the last two components counts no
-  /// more.
+  /// The sum as a double. Its relative error is at most 2^-53, but for 2^-53 of that: the components below
+  /// the last two hardly count.
   double value() const {
     double sum = 0.0;
     for (std::size_t i = 0; i < size_; ++i) sum += component_[i];
@@ -68,7 +69,7 @@ void add_product(Expansion<Most>& sum, double x, double y, double z) {
   for (const double part : {high, low}) add_product(sum, part, z);
 }
 
-/// Adds det(a, b, c) = a . (b x c), or less where sign is -1: 24 values, those of 6 products.
+/// Adds sign * det(a, b, c), det(a, b, c) = a . (b x c), sign 1 or -1: 24 values, from 6 products.
 template <std::size_t Most>
 void add_determinant(Expansion<Most>& sum, double sign, const Vec3& a, const Vec3& b, const Vec3& c) {
   for (int i = 0; i < 3; ++i) {

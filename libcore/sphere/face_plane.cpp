@@ -8,7 +8,7 @@
 namespace impinge {
 namespace {
 
-// Component i of a x b + b x c + c x a, which is that of (b - a) x (c - a).
+// Component i of a x b + b x c + c x a = (b - a) x (c - a).
 double normal_component(const Vec3& a, const Vec3& b, const Vec3& c, int i) {
   const int j = (i + 1) % 3;
   const int k = (i + 2) % 3;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// hav a = sin(a / 2)^2 = (1 - cos a) / 2, the share of a sphere's height above the polar angle a.
+// The haversine, hav a = sin(a / 2)^2 = (1 - cos a) / 2: the share of a sphere's height above the polar angle
+// a.
 #pragma once
 
 #include "sphere/direction.hpp"
 
 namespace impinge {
 
-/// For an angle in [0, pi], radians; within 7e-16 of the value, relative up to pi / 2 and absolute beyond.
-/// The polynomial interpolates hav(a) / a^2 at Chebyshev nodes, within 6e-18.
+/// hav of an angle in [0, pi], radians. The error is at most 7e-16, relative up to pi / 2 and absolute
+/// beyond. The polynomial interpolates hav(a) / a^2 at Chebyshev nodes, within 6e-18.
 inline double haversine(double angle) {
   const bool obtuse = angle > 0.5 * kPi;
   const double x = obtuse ? kPi - angle : angle;

@@ -10,11 +10,11 @@
 namespace impinge {
 namespace {
 
-// Entry i is treated from the nearer pole, the m-th from there. With x = m / (w - 1), at most 1/2,
+// An entry is the m-th from the nearer pole. With x = m / (w - 1), at most 1/2,
 //   s = sin(phi / 2) = sqrt(x),  c = cos(phi / 2) = sqrt(1 - x),  phi / 2 = s (1 + d q(d)),  d = 1 - c,
-// where q interpolates at Chebyshev nodes within 3e-17 / d. Where the helix is at phi / 2 it has made
-// (high + low) phi / 2 turns. The product high * coarse has no rounding (26 bits each), so that a turn's
-// fraction is the last digits of s and no more of theta's size.
+// where the polynomial q interpolates at Chebyshev nodes, within 3e-17 / d. Up to phi the helix has made
+// (high + low) phi / 2 turns. The product high * coarse has no rounding, as both have 26 bits, so that the
+// fraction of a turn is as accurate as s, however many turns there are.
 struct Point {
   double x;
   double y;
@@ -46,7 +46,7 @@ inline Point entry_direction(const HeightSteps::Curve& curve, double i) {
   return {sin_phi * theta.cos, sin_phi * theta.sin, south ? -cos_phi : cos_phi};
 }
 
-// A few entries beyond the last are computed in vain, so that whole vectors are.
+// Computes whole vectors, and so a few entries beyond the last in vain.
 IMPINGE_VECTOR_CLONES
 void fill_run(const HeightSteps::Curve& curve, DirectionRun& run) {
   constexpr int kVector = 4;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Placement of a Spiral (sphere/spiral.hpp): the helix theta = slope * phi (thesis, Eq. 9, with slope = 2 k)
-// whose w entries stand at equal steps of height, cos(phi_i) = 1 - 2 i / (w - 1). What Usid and
-// HelixIsotropic share.
+// The placement (sphere/spiral.hpp) that Usid and HelixIsotropic share: w entries at equal steps of height,
+// cos(phi_i) = 1 - 2 i / (w - 1), on the helix theta = slope * phi (thesis, Eq. 9, with slope = 2 k).
 #pragma once
 
 #include <cmath>
@@ -17,7 +16,7 @@ class HeightSteps {
  public:
   static constexpr bool kMirrored = true;  // the southern half is the mirror image of the northern one
 
-  /// size >= 4 entries, below 2^53; slope >= 4: two turns.
+  /// size >= 4 entries, below 2^53; slope >= 4, which makes two turns.
   HeightSteps(std::size_t size, double slope);
 
   double last() const { return last_; }          // place of the south pole
@@ -29,7 +28,7 @@ class HeightSteps {
   double most_turn_bend() const { return 0.0; }
   double polar_of_turn(double turn) const { return turn * spacing_; }
 
-  /// t(phi) = (w - 1) (1 - cos phi) / 2, and phi(t), accurate at both poles.
+  /// t(phi) = (w - 1) (1 - cos phi) / 2, and its inverse phi(t), accurate at both poles.
   double place(double phi) const { return last_ * haversine(phi); }
   double polar_angle(double t) const { return 2.0 * std::atan2(std::sqrt(t), std::sqrt(last_ - t)); }
 
@@ -46,7 +45,7 @@ class HeightSteps {
 
   friend bool operator==(const HeightSteps&, const HeightSteps&) = default;
 
-  /// What direction() needs of a helix.
+  /// The numbers of a helix that direction() needs.
   struct Curve {
     double last;  // place of the south pole
     double end;   // fraction of a turn at which the helix meets the south pole

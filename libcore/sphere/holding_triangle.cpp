@@ -9,8 +9,7 @@
 namespace impinge {
 namespace {
 
-/// Volume a . (b x c), from differences, so that it is as accurate for neighbouring entries as for distant
-/// ones.
+/// Volume a . (b x c), from differences, so that it is accurate for neighbouring entries too.
 double volume(const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot((b - a).cross(c - a)); }
 
 }  // namespace
@@ -18,8 +17,7 @@ double volume(const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot((b - a
 HoldingTriangle holding_triangle(std::span<const Vec3> entries, const Vec3& u) {
   constexpr double kRounding = 2e-15;   // of the height of an entry above a plane
   constexpr double kLeastShare = 1e-5;  // less than that would leave a flat triangle
-  constexpr double kShort =
-      0.1;  // the start: three short vectors round u, so dear that they are left at once
+  constexpr double kShort = 0.1;        // length of the vectors to start from, which entries soon replace
   constexpr int kMostSteps = 64;
   const Vec3 east = u.unitOrthogonal();
   const Vec3 north = u.cross(east);

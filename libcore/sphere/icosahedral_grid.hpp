@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Icosahedral grids: each of the twenty faces divided into n^2 triangles, one entry a corner.
+// Icosahedral grids: each of the twenty faces is divided into n^2 triangles, with an entry at each corner.
 //
 // Node (i, j) of a diamond (see sphere/icosahedron.hpp) lies in the direction of w(n - i - j) A + w(i) P +
 // w(j) Q if i + j <= n, else w(i + j - n) F + w(n - i) Q + w(n - j) P, with the weights w of the warp. A
 // diamond owns i = 1..n, j = 0..n-1; with the poles these are all nodes, each once: 10 n^2 + 2 entries.
-// Lookup: find the face, then the triangle; three taps with barycentric weights, in the fractions for
-// stencil() and on the flat face for plane_stencil().
+// A look-up finds the face, then the triangle, and weights the three corners by barycentric coordinates:
+// by the fractions for stencil(), by the place on the flat face for plane_stencil().
 //
 // Precision is 72 / n degrees: 5 n entries stand round the equator.
 #pragma once
@@ -30,12 +30,12 @@ namespace impinge {
 
 /// Lower and upper ends of three barycentric coordinates.
 struct TriangleRange {
-  Vec3 low;  // of the ranges, corner by corner
+  Vec3 low;  // corner by corner
   Vec3 high;
 };
 
 /// A warp says what makes one icosahedral grid differ from another:
-///   name, label, citation   those of the scheme (sphere/scheme.hpp)
+///   name, label, citation   of the scheme (sphere/scheme.hpp)
 ///   weight(k, n)       weight of a corner in the node that is k / n of the way to it; 0 for k = 0
 ///   fractions(lambda)  from barycentric coordinates on the flat face (>= 0, sum 1) to k / n of each corner
 ///   widen(range)       from ranges of the former, within [0, 1], to ranges of the latter that hold them
@@ -43,7 +43,7 @@ struct TriangleRange {
 ///   kMostBend          the largest second derivative of a fraction along a unit step of lambda
 ///   kLongestWay        the longest way between two points of a cell along straight lines of the fractions,
 ///                      times n; radians
-/// and that the widest cell is at most kWidest steps from the middle of the face.
+/// Its widest cell must be at most kWidest steps from the middle of the face.
 template <class Warp>
 class IcosahedralGrid {
  public:
@@ -136,7 +136,7 @@ class IcosahedralGrid {
 
   std::size_t north() const { return 10 * n_ * n_; }
 
-  /// Node (i, j) of a diamond, weight(k) that of a corner.
+  /// Direction of node (i, j) of a diamond; weight(k) is the weight of a corner.
   template <class Weight>
   Vec3 node(std::size_t diamond, std::size_t i, std::size_t j, Weight&& weight) const {
     const auto& faces = Icosahedron::instance().face;
@@ -153,7 +153,7 @@ class IcosahedralGrid {
     return (diamond * n_ + j) * n_ + i - 1;
   }
 
-  /// Entry at node (i, j) of a diamond, i and j from 0 to n: its own, or that of the diamond across the edge.
+  /// Entry at node (i, j) of a diamond, i and j from 0 to n. On two edges it belongs to the next diamond.
   std::size_t entry_at(std::size_t diamond, std::size_t i, std::size_t j) const {
     if (i != 0 && j != n_) return owned(diamond, i, j);
     const std::size_t next = diamond % 5 == 4 ? diamond - 4 : diamond + 1;
@@ -165,9 +165,9 @@ class IcosahedralGrid {
     return owned(next - 5, n_, j);
   }
 
-  /// A triangle of a face: the upright one with the nodes (i, j), (i + 1, j), (i, j + 1), where the face has
-  /// its corners at (0, 0), (n, 0), (0, n), or the one upside down beside it, (i + 1, j + 1) in place of
-  /// (i, j). Weights are those of the nodes in this order.
+  /// A triangle of a face that has its corners at (0, 0), (n, 0), (0, n). The upright one has the nodes (i,
+  /// j), (i + 1, j), (i, j + 1); the one beside it, upside down, has (i + 1, j + 1) in place of (i, j). The
+  /// weights are in the order of the nodes.
   struct Triangle {
     std::size_t i;
     std::size_t j;
@@ -187,7 +187,7 @@ class IcosahedralGrid {
     return flat / flat.sum();
   }
 
-  /// The triangle that holds a place, with the weights of the fractions.
+  /// The triangle that holds a place, with weights by the fractions.
   Triangle triangle_at(const Vec3& flat) const {
     const Vec3 place = Warp::fractions(flat) * static_cast<double>(n_);
     const std::size_t i = std::min(static_cast<std::size_t>(place[1]), n_ - 1);
@@ -200,8 +200,8 @@ class IcosahedralGrid {
     return {i, j, false, {a - (1.0 - b), 1.0 - b, 1.0 - a}};
   }
 
-  /// The triangle that holds a place on the flat face, with the weights there. It is that of the fractions,
-  /// or beside their border, which is curved on the flat face, a neighbour.
+  /// The triangle that holds a place on the flat face, with the weights there. It is triangle_at() or a
+  /// neighbour of it, as the borders of the fractions are curved on the flat face.
   Triangle flat_triangle_at(const Vec3& flat) const {
     Triangle triangle = triangle_at(flat);
     for (std::size_t step = 0;; ++step) {
@@ -216,7 +216,7 @@ class IcosahedralGrid {
     return triangle;
   }
 
-  /// The triangle across the edge that a node is opposite to; false if it is on another face.
+  /// Goes to the triangle across the edge opposite to a node; false if that one is on another face.
   bool cross_edge(std::size_t opposite, Triangle& triangle) const {
     Triangle next = triangle;
     next.upright = !triangle.upright;
@@ -227,7 +227,7 @@ class IcosahedralGrid {
     return true;
   }
 
-  /// Weights of the nodes on the flat face, in whose plane the second and third coordinate are enough;
+  /// Weights of the nodes on the flat face, from the second and third coordinate of the place. Some are
   /// negative for a place outside.
   std::array<double, 3> flat_weights(const Triangle& triangle, const Vec3& flat) const {
     const auto on_face = [this](const typename Triangle::Node& node) -> Eigen::Vector2d {
@@ -267,7 +267,7 @@ class IcosahedralGrid {
   double covering_radius_;  // radians
 };
 
-/// Holds the weights of the warp, so that a filler computes each once.
+/// Computes each weight of the warp once, for all triangles.
 template <class Warp>
 class IcosahedralGrid<Warp>::Walker {
  public:
@@ -294,7 +294,7 @@ class IcosahedralGrid<Warp>::Walker {
   }
 
  private:
-  static constexpr double kRounding = 1e-10;     // rad, far above that of clipping
+  static constexpr double kRounding = 1e-10;     // rad, far above the rounding of clipping
   static constexpr double kSlack = 1e-6;         // of a spacing
   static constexpr double kLargestMargin = 0.5;  // rad; beyond it every entry is near
   static constexpr double kLeastDepth = 1e-3;    // of a clipped corner, for its coordinates to be accurate
@@ -312,17 +312,18 @@ class IcosahedralGrid<Warp>::Walker {
     return {static_cast<std::size_t>(first), static_cast<std::size_t>(last)};
   }
 
-  /// How much a barycentric coordinate of a point of a face differs from that of a point within the margin:
-  /// central projection to the plane of the face, cos(corner angle) from the centre, stretches by at most
-  /// that over cos^2, and the height of the face is one.
+  /// The most by which a barycentric coordinate changes within `margin` of a point of the face. The plane of
+  /// the face is cos(corner angle) from the centre; central projection to it stretches by at most that over
+  /// the cosine squared of the angle from the middle. Over the height of the face the coordinate grows by
+  /// one.
   static double spread(double margin) {
     const double height = Icosahedron::kEdge * 0.8660254037844386;
     const double farthest = std::cos(Icosahedron::kCornerAngle + margin);
     return margin * std::cos(Icosahedron::kCornerAngle) / (farthest * farthest * height);
   }
 
-  /// Range of the barycentric coordinates of the points of a face within the margin of the triangle; false if
-  /// there is none.
+  /// Ranges of the barycentric coordinates of those points of a face that are within the margin of the
+  /// triangle; false if there are none.
   static bool near_range(const Icosahedron::Face& face, ConePolygon polygon, double margin,
                          TriangleRange& range) {
     range = {Vec3::Zero(), Vec3::Ones()};
@@ -371,7 +372,7 @@ class IcosahedralGrid<Warp>::Walker {
     }
   }
 
-  /// Nodes i = first..end - 1 of a row of a diamond.
+  /// Visits nodes i = first..end - 1 of a row of a diamond.
   template <class Visit>
   void visit_row(std::size_t diamond, std::size_t j, std::size_t first, std::size_t end,
                  Visit&& visit) const {

@@ -6,7 +6,7 @@
 namespace impinge {
 namespace {
 
-/// Corner at azimuth 36 k degrees.
+/// The corner at azimuth 36 k degrees.
 Vec3 ring(long k, double side) {
   const CosSin azimuth = half_turn_fraction(k, 5);
   const double z = 1.0 / std::sqrt(5.0);

@@ -14,13 +14,13 @@ namespace impinge {
 /// Two faces make one of ten diamonds with corners A, P, F, Q: faces 2 d and 2 d + 1 are A P Q and F Q P of
 /// diamond d. Diamond k = 0..4 is (N, U_k, D_k, U_k+1) and diamond 5 + k is (U_k+1, D_k, S, D_k+1).
 struct Icosahedron {
-  /// A face and what finds the place of a direction on it.
+  /// A face, with the vectors that give the place of a direction on it.
   struct Face {
     std::array<Vec3, 3> corner;  // unit vectors, anticlockwise as seen from outside
     std::array<Vec3, 3> dual;    // dual[k] . corner[l] = 1 if k = l, else 0
     Vec3 axis;                   // sum of the duals: along the middle of the face
   };
-  std::array<Face, 20> face;  // faces 2 d and 2 d + 1 are those of diamond d
+  std::array<Face, 20> face;  // diamond d has the faces 2 d and 2 d + 1
 
   /// Angle between the middle of a face and its corners: tan = 3 - sqrt(5).
   static constexpr double kTangent = 0.7639320225002103;
@@ -30,7 +30,7 @@ struct Icosahedron {
   /// The one icosahedron, made at first use.
   static const Icosahedron& instance();
 
-  /// Face whose middle is nearest to x, among ten and the ten opposite to them.
+  /// The face whose middle is nearest to the direction of x.
   std::size_t face_of(const Vec3& x) const {
     std::size_t nearest = 0;
     double largest = -1.0;

@@ -5,7 +5,7 @@
 
 namespace impinge {
 
-/// What an empty range ends at, and a length that has no limit.
+/// The length of what has no limit, and the start of a search for the least value.
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace impinge

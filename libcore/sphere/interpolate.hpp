@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mean of the taps of a stencil, whatever the entries hold.
+// The weighted mean of the values at the taps of a stencil.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace impinge {
 
-/// sum w_k values[entry_k]. A tap of weight zero does not count: on an entry the entry alone decides, whether
-/// or not there is surface beside it.
+/// sum w_k values[entry_k]. A tap of weight zero does not count, so that at an entry its own value is the
+/// answer, whether or not there is surface beside it.
 template <class Values>
 double interpolate(const Stencil& stencil, const Values& values) {
   double sum = 0.0;

@@ -14,18 +14,18 @@ using Vec2 = Eigen::Vector2d;
 // Entries on the seam of a map may be one direction, up to rounding.
 bool is_same(const Vec3& a, const Vec3& b) { return (a - b).squaredNorm() < 1e-24; }
 
-// Directions as far from a as from b: a circle, x = u p + v q. Those within 90 degrees of a and no farther
-// from it than from any other entry are an arc of it, from one ray of the plane of (p, q) counter-clockwise
-// to another, or none.
+// The directions equally far from a and b form a circle, x = u p + v q. Those within 90 degrees of a, and no
+// farther from a than from any other entry, form an arc of it or nothing. The arc goes counter-clockwise from
+// one ray in the plane of (p, q) to another.
 class Bisector {
  public:
   Bisector(const Vec3& a, const Vec3& b) : a_(a), u_((a - b).unitOrthogonal()), v_((a - b).cross(u_)) {
     const Vec2 inwards(a.dot(u_), a.dot(v_));
     end_ = ends_of(inwards);
-    for (Vec2& end : end_) end += 1e-9 * inwards;  // not opposite to each other: what is between is certain
+    for (Vec2& end : end_) end += 1e-9 * inwards;  // opposite rays would have no certain side between them
   }
 
-  // Takes away what is nearer to c. Is there anything left?
+  // Takes away what is nearer to c. Returns whether anything is left.
   bool cut(const Vec3& c) {
     const Vec2 inwards((a_ - c).dot(u_), (a_ - c).dot(v_));
     const std::array<bool, 2> off{inwards.dot(end_[0]) < 0.0, inwards.dot(end_[1]) < 0.0};
@@ -38,11 +38,11 @@ class Bisector {
     return true;
   }
 
-  // Those that made an end of the arc, as far from it as a and b; or nullptr.
+  // The entry that cut off each end of the arc, and is as far from it as a and b; or nullptr.
   const std::array<const Vec3*, 2>& met() const { return met_; }
 
  private:
-  // Of the half of the plane on that side.
+  // The two ends of the half plane on the side of `inwards`.
   static std::array<Vec2, 2> ends_of(const Vec2& inwards) {
     return {Vec2(inwards.y(), -inwards.x()), Vec2(-inwards.y(), inwards.x())};
   }

@@ -12,11 +12,11 @@ namespace impinge {
 
 class Lists {
  public:
-  /// A list, and a number that it gets.
+  /// A list, and a number that goes into it.
   using Pair = std::array<std::uint32_t, 2>;
 
   Lists() : first_(1, 0) {}
-  /// So many lists; each has its numbers in the order in which they come. A counting sort, in linear time.
+  /// Makes `count` lists, each with its numbers in the order of the pairs. A counting sort, in linear time.
   Lists(std::size_t count, std::span<const Pair> pairs) : first_(count + 2, 0), numbers_(pairs.size()) {
     for (const auto& [list, number] : pairs) ++first_[list + 2];
     for (std::size_t k = 2; k < first_.size(); ++k) first_[k] += first_[k - 1];
@@ -33,7 +33,7 @@ class Lists {
   /// The numbers of all lists.
   const std::vector<std::uint32_t>& numbers() const { return numbers_; }
   std::size_t size() const { return first_.size() - 1; }  // how many lists
-  bool empty() const { return numbers_.empty(); }         // are all lists?
+  bool empty() const { return numbers_.empty(); }         // are all lists empty?
   std::size_t bytes() const {                             // of memory
     return (first_.capacity() + numbers_.capacity()) * sizeof(std::uint32_t);
   }

@@ -10,7 +10,7 @@
 namespace impinge {
 namespace {
 
-// The same direction with its largest component in [1/2, 1).
+// The vector scaled by a power of two, so that its largest component is in [1/2, 1).
 Vec3 scaled(const Vec3& v) {
   int exponent = 0;
   std::frexp(v.cwiseAbs().maxCoeff(), &exponent);
@@ -26,7 +26,7 @@ int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c) {
 }  // namespace
 
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c) {
-  // 1-norms are cheaper than lengths and no smaller. Out of range both sides of the comparison fail it.
+  // 1-norms are cheaper than lengths and no smaller. Numbers out of range go on to the exact sign.
   const double det = a.dot(b.cross(c));
   const double product = b.lpNorm<1>() * c.lpNorm<1>();
   const double doubt = kPlaneTestError * a.lpNorm<1>() * product;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one geometric decision of the library, taken exactly: on which side of a plane through the centre does
-// a direction lie. With exact signs a ray through an edge or vertex of a closed surface never slips through.
+// Decides exactly on which side of a plane through the centre a direction lies. With exact signs a ray
+// through an edge or vertex of a closed surface never slips through.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace impinge {
 /// components of one vector differ by more than a factor of about 2^300. Theorem 1 (signs).
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Where does u lie in the cone over a triangle whose corners have the orientation `side`? Inside +1, on the
-/// boundary 0, outside -1; 0 for any u where side is 0. Exact.
+/// Where u lies in the cone over a triangle whose corners have the orientation `side`: +1 inside, 0 on the
+/// boundary, -1 outside; 0 for any u if side is 0. Exact.
 inline int place_in_cone(const std::array<Vec3, 3>& corners, int side, const Vec3& u) {
   int place = 1;
   for (std::size_t k = 0; k < 3 && place >= 0; ++k)

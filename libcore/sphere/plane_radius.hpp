@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernel of every table: where a ray from the centre meets the plane of a face, in any kind of number.
-// The tables compute in double; the same lines in float, long double and 200 bits show that nothing in them
-// is less precise than their numbers are (tests/stress/precision_levels_test.cpp).
+// Where a ray from the centre meets the plane of a face, for any kind of number: the kernel of every table.
+// Tables use double. Tests run the same lines in float, long double and 200 bits, to show that the numbers
+// alone limit the precision (tests/stress/precision_levels_test.cpp).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,16 +12,16 @@ namespace impinge {
 template <class Number>
 using Vec3Of = Eigen::Matrix<Number, 3, 1>;
 
-/// (b - a) x (c - a), twice the area of the face long; turned away from the centre by side, the orientation
-/// of the corners (+1 or -1).
+/// side * (b - a) x (c - a): its length is twice the area of the face. It points away from the centre if
+/// `side` is the orientation of the corners, +1 or -1.
 template <class Number>
 Vec3Of<Number> face_normal(const Vec3Of<Number>& a, const Vec3Of<Number>& b, const Vec3Of<Number>& c,
                            int side) {
   return Number(side) * (b - a).cross(c - a);
 }
 
-/// r = n.v0 / (n.u) in lengths of u, from offset = n.v0 above zero; never above `largest`, the distance of
-/// the farthest corner, which only matters where u grazes the face and n.u is rounding noise.
+/// r = n.v0 / (n.u) in lengths of u, for offset = n.v0 above zero. Never above `largest`, the distance of the
+/// farthest corner: this matters only if u grazes the face and n.u is rounding noise.
 template <class Number>
 Number plane_radius(const Vec3Of<Number>& normal, const Number& offset, const Number& largest,
                     const Vec3Of<Number>& u) {

@@ -35,8 +35,8 @@ int exact_plane_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
 }  // namespace
 
 int plane_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  // The filter of orientation(), with one rounding more a component: that of the difference. 13 in all,
-  // within the 20 of kPlaneTestError; 1-norms of the rounded differences cover the sum of absolute products.
+  // The filter of orientation(). The differences add one rounding to each component, which makes 13, within
+  // the 20 of kPlaneTestError. 1-norms of the rounded differences cover the sum of absolute products.
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
   const Vec3 ad = d - a;

@@ -13,8 +13,8 @@
 
 namespace impinge {
 
-/// Radius of a direction in which there is no surface. It is a NaN, so that no comparison calls it a hit and
-/// any interpolation that reads it says "no surface" too.
+/// The radius where there is no surface. It is a NaN, so that no comparison calls it a hit, and any
+/// interpolation that reads it says "no surface" too.
 inline constexpr double kNoSurface = std::numeric_limits<double>::quiet_NaN();
 
 /// Radii in mm. Rim cells, in which the surface ends or jumps, answer kNoSurface: no tap reaches across a
@@ -22,8 +22,8 @@ inline constexpr double kNoSurface = std::numeric_limits<double>::quiet_NaN();
 template <SamplingScheme S>
 class RadialTable {
  public:
-  /// A table without any surface. std::invalid_argument above kMostTableEntries, std::bad_alloc where it does
-  /// not fit in memory; see bytes().
+  /// A table without any surface. Throws std::invalid_argument for more than kMostTableEntries entries,
+  /// std::bad_alloc if it does not fit in memory; see bytes().
   explicit RadialTable(const S& scheme)
       : scheme_(scheme),
         radii_(require_table_size(S::name, scheme.size()), kNoSurface),
@@ -35,17 +35,17 @@ class RadialTable {
   std::span<const double> radii() const&& = delete;                    // they would dangle: keep the table
   double radius_of(std::size_t entry) const { return radii_[entry]; }  // of an entry, mm
   void forget(std::size_t entry) { radii_[entry] = kNoSurface; }       // it has no surface from now on
-  static bool keeps(const Stencil& /*stencil*/) { return true; }  // the entries that it reads: all are kept
+  static bool keeps(const Stencil& /*stencil*/) { return true; }  // does it keep the entries of the stencil?
 
-  /// Bytes of the radii of a scheme's table (thesis, Tables 2 and 7), without making one. The rim mask adds
-  /// one bit a cell where a surface has a rim inside the reach of four entries.
+  /// Bytes of the radii of a table of this scheme (thesis, Tables 2 and 7), without making one. If any cell
+  /// is a rim cell, the rim mask adds one bit for each cell.
   static std::size_t bytes(const S& scheme) { return scheme.size() * sizeof(double); }
 
-  /// Of radii and rim mask.
+  /// Bytes of radii and rim mask.
   std::size_t bytes() const { return bytes(scheme_) + rim_.bytes(); }
 
-  /// Interpolated radius along x (any length above zero), the `smooth` interpolant: linear in r, as in the
-  /// thesis.
+  /// Interpolated radius along x (any length above zero), mm, or kNoSurface. This is the `smooth`
+  /// interpolant: linear in r, as in the thesis.
   double radius_at(const Vec3& x) const {
     const Stencil stencil = scheme_.stencil(x);
     return is_rim_cell(stencil.cell) ? kNoSurface : interpolate(stencil, radii_);

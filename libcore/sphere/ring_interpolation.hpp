@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Schemes on rings of latitude whose look-up is linear along the two rings next to the query and then linear
-// in the polar angle. Inside of the first and the last ring the pole stands for the missing one, with the
-// mean of the ring's entries. What LatitudeRows and Healpix share.
+// What LatitudeRows and Healpix share: entries on rings of latitude, and a look-up that is linear along the
+// two rings next to the query and then linear in the polar angle. Within the first and the last ring the pole
+// stands for the missing ring, with the mean of the ring's entries.
 #pragma once
 
 #include <algorithm>
@@ -17,18 +17,19 @@
 namespace impinge {
 
 /// Base of such a scheme S, which has what RingWalker asks for, and
-///   row(k)          entries of the k-th ring, without its polar angle; three or four on the first and the
-///   last polar_angle(k)  of the ring, radians ring_of(entry)  the ring that an entry is on
+///   row(k)          the k-th ring without its polar angle; the first and the last have 3 or 4 entries
+///   polar_angle(k)  polar angle of the ring, radians
+///   ring_of(entry)  the ring that an entry is on
 template <class S>
 class RingInterpolation {
  public:
-  /// One for each cap, and for two rings as many as they have entries.
+  /// Number of cells: one for each cap, and between two rings as many as both have entries.
   std::size_t cells() const { return 2 * self().size() - 2 * self().row(0).count + 2; }
 
-  /// Entries of one ring do not stand below those of the next, so that a cell reads entries beyond its
-  /// corners: from any direction there is a way to each tap, no longer than stencil_radius(), through the
-  /// cells that have the same gap above or the same gap below. Calls visit(stencil) for all of these; the
-  /// weights are of no meaning.
+  /// Calls visit(stencil) for all cells that have the same gap above or the same gap below as the cell of
+  /// `at`; ignore their weights. Entries of one ring do not stand below entries of the next, so that a cell
+  /// reads entries beyond its corners. Through these cells there is a way, no longer than stencil_radius(),
+  /// from any direction to each tap.
   template <class Visit>
   void for_each_cell_across(const Stencil& at, Visit&& visit) const {
     if (at.cell == 0 || at.cell == cells() - 1) return;
@@ -46,13 +47,13 @@ class RingInterpolation {
   friend bool operator==(const RingInterpolation&, const RingInterpolation&) = default;
 
  protected:
-  /// Between rings k and k + 1, `down` from 0 on the upper one to 1 on the lower one.
+  /// The stencil between rings k and k + 1; `down` goes from 0 on the upper one to 1 on the lower one.
   Stencil between(std::size_t k, double theta, double down) const {
     const RingRow upper = self().row(k);
     const RingRow lower = self().row(k + 1);
     const Gap a = gap(upper, theta);
     const Gap b = gap(lower, theta);
-    // Where both gaps cross theta = 0 the cell does, too: its last number is its first.
+    // If both gaps cross theta = 0, so does the cell, and its last number is its first.
     const std::size_t step = (a.step + b.step) % (upper.count + lower.count);
     return {{upper.first + a.left, upper.first + a.right, lower.first + b.left, lower.first + b.right},
             {(1.0 - down) * (1.0 - a.share), (1.0 - down) * a.share, down * (1.0 - b.share), down * b.share},
@@ -60,7 +61,7 @@ class RingInterpolation {
             upper.first + lower.first + 1 - self().row(0).count + step};
   }
 
-  /// Within ring k, the first or the last one; `outwards` from 0 at the pole to 1 on the ring.
+  /// The stencil within ring k, the first or the last; `outwards` goes from 0 at the pole to 1 on the ring.
   Stencil cap_stencil(std::size_t k, double outwards, double theta) const {
     const RingRow on = self().row(k);
     const Gap at = gap(on, theta);
@@ -75,9 +76,8 @@ class RingInterpolation {
     return stencil;
   }
 
-  /// Longest way from an entry of ring k or k + 1, on the northern half, to the far end of a gap of the
-  /// other, without leaving the rings between: along the ring nearer to the pole as far as the pole is in the
-  /// way, and then straight.
+  /// The longest way, between the two rings, from an entry of ring k or k + 1 (northern half) to the far end
+  /// of a gap of the other: along the ring nearer to the pole while the pole is in the way, then straight.
   double way_across(std::size_t k) const {
     const std::size_t fewer = std::min(self().row(k).count, self().row(k + 1).count);
     const double gap = 2.0 * kPi / static_cast<double>(fewer);
@@ -92,8 +92,8 @@ class RingInterpolation {
   friend S;
   RingInterpolation() = default;
 
-  /// The gap of a ring that holds an azimuth: the entries left and right of it, the number of gaps begun
-  /// since theta = 0, and the share of the gap that is left of it.
+  /// The gap of a ring that holds an azimuth: the entries left and right of the azimuth, the number of gaps
+  /// begun since theta = 0, and how far into the gap it is, from 0 to 1.
   struct Gap {
     std::size_t left;
     std::size_t right;
@@ -109,8 +109,8 @@ class RingInterpolation {
     return {entry, (entry + 1) % row.count, step, std::min(place - left, 1.0)};
   }
 
-  /// Calls visit(theta) with the middle of each stretch that the gap right of an entry shares with one of the
-  /// other ring.
+  /// Calls visit(theta) with the middle of each stretch that the gap right of an entry shares with a gap of
+  /// the other ring.
   template <class Visit>
   static void for_each_overlap(const RingRow& row, std::size_t entry, const RingRow& other, Visit&& visit) {
     const double step = 2.0 * kPi / static_cast<double>(row.count);

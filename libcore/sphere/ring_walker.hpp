@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Schemes whose entries stand on rings of equal latitude, equally spaced on each, numbered ring by ring from
-// the north.
+// Finds the entries near a triangle for schemes whose entries stand on rings of equal latitude, equally
+// spaced on each, and are numbered ring by ring from the north.
 #pragma once
 
 #include <algorithm>
@@ -13,19 +13,19 @@
 
 namespace impinge {
 
-/// Entries first .. first + count - 1 at the azimuths 2 pi (t + half / 2) / count.
+/// A ring: entries first + t, t = 0 .. count - 1, at the azimuths 2 pi (t + half / 2) / count.
 struct RingRow {
   std::size_t first;  // number of its westernmost entry
   std::size_t count;  // of its entries
   std::size_t half;   // 0 or 1
 
-  /// Place of an azimuth on the ring, in steps from the first entry; radians.
+  /// The place of an azimuth (radians) on the ring, in steps from the first entry.
   double position(double theta) const {
     return theta / (2.0 * kPi) * static_cast<double>(count) - 0.5 * static_cast<double>(half);
   }
 };
 
-/// And their polar angle.
+/// A ring with its polar angle.
 struct Ring : RingRow {
   CosSin polar;
 
@@ -36,10 +36,10 @@ struct Ring : RingRow {
   }
 };
 
-inline constexpr double kRingSlack = 1e-6;  // of a step: rounding of positions on a ring and among rings
+inline constexpr double kRingSlack = 1e-6;  // in steps; covers the rounding of places
 
-/// Calls visit(first, count) for the entries of a ring of `of` entries from one place to another, in steps
-/// and on any turn: once, or twice where they lie to both sides of the seam.
+/// Calls visit(first, count) for the entries between two places of a ring of `of` entries: once, or twice if
+/// they lie on both sides of the seam. Places are in steps, and may be on any turn.
 template <class Visit>
 void for_each_part(double from, double to, std::size_t of, Visit&& visit) {
   const auto all = static_cast<long>(of);
@@ -53,7 +53,7 @@ void for_each_part(double from, double to, std::size_t of, Visit&& visit) {
   if (before_seam < wanted) visit(std::size_t{0}, wanted - before_seam);
 }
 
-/// Walker of such a scheme S, which has
+/// The walker of such a scheme S, which has
 ///   rings()             number of its rings
 ///   ring(k)             the k-th of its rings, from the north
 ///   ring_position(phi)  place of a polar angle among the rings, k at ring k; never falls with phi

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sampling scheme: which directions a table samples, and how one is looked up. Adding a scheme is adding
-// one file to sphere/schemes/; the build finds it and every table, test, experiment and plot follows.
+// The sampling scheme: which directions a table samples, and which of them a look-up reads. To add a scheme,
+// add one file to sphere/schemes/; the build finds it, and every table, test, experiment and plot follows.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,8 @@ struct Stencil {
   std::size_t cell = 0;                // below cells()
 };
 
-/// Consecutive entries first, first + 1, ... with their directions, held coordinate by coordinate so that a
-/// filler tests several at once. Scratch memory of a walker.
+/// Consecutive entries first, first + 1, ... with their directions, coordinate by coordinate, so that several
+/// are tested at once. Scratch memory of a walker.
 struct DirectionRun {
   static constexpr std::size_t kMost = 64;  // entries that a run has room for
 
@@ -38,7 +38,7 @@ struct DirectionRun {
   Vec3 operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }  // direction of entry first + k
 };
 
-/// Calls visit(run) for runs that make up the entries first .. first + count - 1, the k-th of which has the
+/// Calls visit(run) for runs that make up the entries first .. first + count - 1; entry first + k has the
 /// direction direction_of(k).
 template <class DirectionOf, class Visit>
 void visit_in_runs(std::size_t first, std::size_t count, DirectionOf&& direction_of, Visit&& visit) {
@@ -65,14 +65,14 @@ struct RunVisitor {
 ///   walker()             finds the entries near triangles, as often as it is asked, by visit_near()
 ///   visit_near(cone, margin, visit)
 ///                        calls visit(run) for runs that hold every entry inside the cone or within `margin`
-///                        radians of it, and perhaps some outside; each once, with the very numbers of
-///                        direction(i)
+///                        radians of it, and perhaps some outside; each once, and with exactly the numbers
+///                        of direction(i)
 template <class S>
 concept HasWalker = requires(const S scheme, const Vec3& x) {
   scheme.walker().visit_near(TriangleCone(x, x, x), 0.0, RunVisitor{});
 };
 
-/// A member of that name, which then has to be a walker.
+/// A scheme with a member walker(), which must then satisfy HasWalker.
 template <class S>
 concept NamesWalker = requires(const S scheme) {
   scheme.walker();
@@ -84,7 +84,7 @@ concept NamesWalker = requires(const S scheme) {
 ///   citation             where the scheme is from
 ///   with_precision(d)    the scheme whose entries are d degrees apart at the equator; std::invalid_argument,
 ///                        one line that says why, if there is none
-///   precision_deg()      how far entries are apart at the equator, degrees: what with_precision() came to
+///   precision_deg()      how far entries are apart at the equator, degrees
 ///   size()               number of entries
 ///   cells()              number of cells
 ///   direction(i)         unit vector of entry i
@@ -101,12 +101,11 @@ concept NamesWalker = requires(const S scheme) {
 ///   area(i)              see AreaScheme
 ///   depth(x), ...        see PlaneExactScheme: a table of inverse depths
 ///   meets_cells_once()   see HasKnownBorders: a rim takes out the cells that it crosses, and no more
-///   patches_of(scheme)   see table/patches/patch.hpp: a tight bound on the error in place of one of first
-///   order
+///   patches_of(scheme)   see table/patches/patch.hpp: a tight bound on the error, not one of first order
 /// A scheme whose stencils read entries beyond the cell that holds the direction must have
 ///   for_each_cell_across(stencil, visit)
 ///                        calls visit(other) for the stencils of all cells that read across the cell of
-///                        `stencil`, so that a rim in it is kept out of theirs
+///                        `stencil`: they become rim cells with it
 template <class S>
 concept SamplingScheme = std::regular<S> &&
     (!NamesWalker<S> || HasWalker<S>)&&requires(const S scheme, double degrees, std::size_t i,
@@ -125,8 +124,8 @@ concept SamplingScheme = std::regular<S> &&
   { scheme.equator_points() } -> std::same_as<std::size_t>;
 };
 
-/// The scheme whose entries are so many degrees apart, or nothing where there is none: a grid of
-/// angles must divide 180 degrees.
+/// The scheme whose entries are `degrees` apart at the equator; std::nullopt if there is none, as for a grid
+/// of angles whose step does not divide 180 degrees.
 template <SamplingScheme S>
 std::optional<S> scheme_of_precision(double degrees) {
   try {
@@ -139,10 +138,10 @@ std::optional<S> scheme_of_precision(double degrees) {
 /// A scheme whose entries are points of a solid with flat faces round the centre, for InverseDepthTable:
 ///   depth(x)          largest n . x over the faces n . p = 1 of the solid, x of any length: x / depth(x) is
 ///                     the point of the solid in the direction of x
-///   plane_stencil(x)  taps on the face of that point, with weights that are not negative and sum to 1 and
-///                     put it between those of the taps: x / depth(x) = sum w_i u_i / depth(u_i)
-///   kFlatCells        whether all cells are bounded by great circles. Then taps and cell are those of
-///                     stencil(x); else they may be those of a neighbour where x is close to the border
+///   plane_stencil(x)  taps on the face of this point, with weights that are not negative and sum to 1 and
+///                     make it the mean of the taps' points: x / depth(x) = sum w_i u_i / depth(u_i)
+///   kFlatCells        whether all cells are bounded by great circles. Then stencil(x) has the same taps and
+///                     cell; else plane_stencil(x) may take a neighbour if x is close to the border
 template <class S>
 concept PlaneExactScheme = SamplingScheme<S> && requires(const S scheme, const Vec3& x) {
   { scheme.depth(x) } -> std::same_as<double>;
@@ -154,16 +153,16 @@ concept PlaneExactScheme = SamplingScheme<S> && requires(const S scheme, const V
 /// it crosses (table/rim.hpp). It has one of
 ///   kFlatCells               true: all cells are bounded by great circles and convex
 ///   meets_cells_once(a, b)   does the arc between two vectors, shorter than half a turn, surely meet every
-///                            cell in one stretch at most? Of arcs short enough it has to be sure, but round
-///                            single points. sphere/arc_borders.hpp helps.
-/// Of any other scheme the entries beside a rim have no surface.
+///                            cell in one stretch at most? It must say yes for every arc that is short
+///                            enough, except round single points. sphere/arc_borders.hpp helps.
+/// In a table of any other scheme the entries beside a rim have no surface.
 template <class S>
 concept HasKnownBorders = requires(const S scheme, const Vec3& x) {
   { scheme.meets_cells_once(x, x) } -> std::same_as<bool>;
 }
 || requires { requires S::kFlatCells; };
 
-/// The answer of either.
+/// Does the arc from a to b, shorter than half a turn, surely meet every cell in one stretch at most?
 template <HasKnownBorders S>
 bool meets_cells_once(const S& scheme, const Vec3& a, const Vec3& b) {
   if constexpr (requires { scheme.meets_cells_once(a, b); }) {

@@ -18,7 +18,7 @@ double chebyshev_at_node(std::size_t j, std::size_t k) {
   return half_turn_fraction(static_cast<long>(j * (2 * k + 1)), 2 * static_cast<long>(N)).cos;
 }
 
-// Coefficients of the Chebyshev series that meets f at the N Chebyshev nodes of [low, high].
+// Coefficients of the Chebyshev series that equals f at the N Chebyshev nodes of [low, high].
 template <std::size_t N>
 Series<N> chebyshev_series(const std::function<double(double)>& f, double low, double high) {
   static const std::array<Series<N>, N> polynomial = [] {
@@ -63,7 +63,7 @@ SmoothTable::SmoothTable(const std::function<double(double)>& f, double end) { a
 
 void SmoothTable::add_pieces(const std::function<double(double)>& f, double low, double high, int depth) {
   constexpr double kRounding = 1e-15;
-  constexpr double kNarrow = 1.0 / 32.0;  // of the distance from 0: what is left there is rounding
+  constexpr double kNarrow = 1.0 / 32.0;  // of the distance from 0; in such a piece only rounding is left
   constexpr int kDeepest = 200;
   const Series<kTerms> series = chebyshev_series<kTerms>(f, low, high);
   const Piece piece{0.5 * (low + high), 2.0 / (high - low), powers(series)};
@@ -80,7 +80,7 @@ void SmoothTable::add_pieces(const std::function<double(double)>& f, double low,
   pieces_.push_back(piece);
 }
 
-// What f does much nearer to 0 than the first node is unseen by the series.
+// The series does not see what f does much nearer to 0 than the first node.
 bool SmoothTable::holds_near_zero(const Piece& piece, const std::function<double(double)>& f, double high) {
   constexpr double kGood = 4e-15;
   constexpr double kNearest = 1e-18;

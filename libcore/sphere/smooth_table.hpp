@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A smooth function that is costly to compute, replaced by polynomials on pieces of its interval.
+// Replaces a smooth function that is costly to compute by polynomials on pieces of its interval.
 #pragma once
 
 #include <array>
@@ -9,15 +9,15 @@
 
 namespace impinge {
 
-/// f above zero on (0, end), its values good to a few units in the last place, and analytic within the circle
-/// round every x that passes 0: the table is as good. Pieces are halved until the Chebyshev series of f on
-/// them has come to its rounding; where f changes near 0 over many orders of magnitude they get short with
-/// it.
+/// The table of a function f is as accurate as f, if f is positive on (0, end), good to a few units in the
+/// last place, and analytic within the circle round every x that passes 0. Pieces are halved until the
+/// Chebyshev series of f on them has converged to rounding. They are short where f changes near 0 over many
+/// orders of magnitude.
 class SmoothTable {
  public:
   SmoothTable(const std::function<double(double)>& f, double end);  // tabulates f on [0, end]
 
-  /// f(x) for x in [0, end]; beyond them what the polynomial of the last piece gives.
+  /// f(x) for x in [0, end]; beyond, the polynomial of the last piece.
   double operator()(double x) const;
 
  private:

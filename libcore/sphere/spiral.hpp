@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scheme whose entries stand on one curve that winds from the north pole to the south pole. What Usid,
-// UsidArc, HelixIsotropic and Conchoid share; where the entries are is their placement's.
+// What Usid, UsidArc, HelixIsotropic and Conchoid share: their entries stand on one curve that winds from the
+// north pole to the south pole. Where on it they stand, the placement of each says.
 //
 // A placement P is a regular value with two coordinates of the polar angle phi, both rising: the turn (turns
 // of azimuth that the curve has made from the north pole) and the place (entries that it has passed, whole at
@@ -38,7 +38,7 @@ namespace impinge {
 template <class P>
 class Spiral {
  public:
-  /// Finds the covering radius and the stencil radius once.
+  /// Finds the covering radius and the stencil radius, once.
   explicit Spiral(const P& placement) : placement_(placement) {
     stencil_radius_ = spiral_stencil_radius(placement_);
     covering_radius_ = spiral_covering_radius(placement_);
@@ -86,10 +86,10 @@ class Spiral {
     return four_taps(on_turn(turn_a), on_turn(turn_b), std::clamp(turn - turn_a, 0.0, 1.0));
   }
 
-  /// Entries of one turn do not stand below those of the next, so that a cell reads entries beyond its
-  /// corners: from any direction there is a way to each tap, no longer than stencil_radius(), through the
-  /// cells that have the same interval above or the same interval below. Calls visit(stencil) for all of
-  /// these; the weights are of no meaning.
+  /// Calls visit(stencil) for all cells that have the same interval above or the same interval below as the
+  /// cell of `at`; ignore their weights. Entries of one turn do not stand below entries of the next, so that
+  /// a cell reads entries beyond its corners. Through these cells there is a way, no longer than
+  /// stencil_radius(), from any direction to each tap.
   template <class Visit>
   void for_each_cell_across(const Stencil& at, Visit&& visit) const {
     const bool first = at.taps == 3 && at.entry[2] == at.entry[1] + 1;
@@ -98,10 +98,10 @@ class Spiral {
     if (!last) visit_above({at.entry[first ? 1 : 2], 0.0}, visit);
   }
 
-  /// Cells lie between meridians and the curve, on which turn(phi) - theta / (2 pi) is whole. With the bounds
-  /// of ArcAngles that bends by at most T' |cot phi| + T'' + |cot phi| / (2 pi sin(phi)). An arc of a
-  /// sixteenth of a turn of azimuth meets the azimuths of a cell once: no two entries are 15/16 of a turn
-  /// apart.
+  /// Cells lie between meridians and the curve, on which turn(phi) - theta / (2 pi) is whole. By ArcAngles
+  /// this coordinate has a second derivative of at most T' |cot phi| + T'' + |cot phi| / (2 pi sin(phi)). An
+  /// arc of at most a sixteenth of a turn of azimuth meets the azimuths of a cell once, as no two
+  /// neighbouring entries are 15/16 of a turn apart.
   bool meets_cells_once(const Vec3& a, const Vec3& b) const {
     const ArcAngles arc(a, b);
     if (arc.sine == 0.0 || std::abs(arc.turn) > kPi / 8.0) return false;
@@ -117,7 +117,7 @@ class Spiral {
 
   const Spiral& walker() const { return *this; }
 
-  /// Runs of the turns that cross the box round the cone, as far as TurnClip leaves them.
+  /// Visits the stretches of turns that TurnClip leaves within the box round the cone.
   template <class Visit>
   void visit_near(const TriangleCone& cone, double margin, Visit&& visit) const {
     const AngularBox box = angular_box(cone.corners(), margin);
@@ -153,8 +153,8 @@ class Spiral {
     double share;
   };
 
-  /// Places that a walker may visit, and the first entry that it has not: none is visited twice where
-  /// rounding makes pieces overlap.
+  /// Places that a walker may visit, and the first entry that it has not visited: where rounding makes pieces
+  /// overlap, no entry is visited twice.
   struct Range {
     double from;
     double to;
@@ -175,9 +175,10 @@ class Spiral {
   }
   Between on_turn(double turn) const { return between_entries(place(polar_of_turn(turn))); }
 
-  /// The strip between two turns is one spiral ribbon from pole to pole. Along it neither the interval a of
-  /// the turn above nor the interval b of the turn below ever falls, and a cell is where both stay the same.
-  /// Where the turn above is missing its pole counts as interval -1, where the one below is, as size - 1.
+  /// Number of a cell. The strip between consecutive turns is one spiral ribbon from pole to pole. Along it
+  /// the interval a of the turn above and the interval b of the turn below never fall, and a cell is where
+  /// both stay the same. If the turn above is missing, the pole counts as interval -1; if the turn below is,
+  /// as size - 1.
   static std::size_t cell_of(std::size_t a_after, std::size_t b) { return a_after + b; }
 
   static Stencil four_taps(Between a, Between b, double down) {
@@ -203,7 +204,7 @@ class Spiral {
     return placement_.turn(placement_.polar_angle(static_cast<double>(entry)));
   }
 
-  /// All cells between interval a and the turn below it, between interval b and the turn above it.
+  /// Visits all cells between interval a and the turn below; visit_above() likewise for interval b.
   template <class Visit>
   void visit_below(Between a, Visit&& visit) const {
     const double from = turn_of_entry(a.entry) + 1.0;

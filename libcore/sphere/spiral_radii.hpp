@@ -20,11 +20,11 @@ namespace impinge {
 /// Entries that are treated one by one at each pole.
 inline constexpr double kPolarEntries = 64.0;
 
-/// A placement as it looks from one of its poles, angles, turns and places counted from there.
+/// A placement seen from one of its poles: angles, turns and places are counted from there.
 template <class P>
 class FromPole {
  public:
-  /// Keeps a reference to the placement; from the south pole, or else from the north pole.
+  /// Keeps a reference to the placement. It is seen from the south pole if `south`, else from the north pole.
   FromPole(const P& placement, bool south) : placement_(placement), south_(south) {}
 
   double last() const { return placement_.last(); }
@@ -42,7 +42,7 @@ class FromPole {
     const double known = std::clamp(south_ ? last() - t : t, 0.0, last());
     return south_ ? kPi - placement_.polar_angle(known) : placement_.polar_angle(known);
   }
-  /// From +z, whichever pole it is: distances are the same in the mirror.
+  /// The direction of an entry with the pole at +z, mirrored for the south pole, which keeps distances.
   Vec3 direction(std::size_t entry) const {
     const Vec3 u = placement_.direction(south_ ? static_cast<std::size_t>(last()) - entry : entry);
     return {u.x(), u.y(), south_ ? -u.z() : u.z()};
@@ -55,7 +55,7 @@ class FromPole {
   bool south_;
 };
 
-/// Largest value of f(phi) between two polar angles; f monotone between samples. Positive.
+/// Upper bound on f(phi) between two polar angles, f positive and monotone between samples.
 template <class F>
 double largest_between(double low, double high, const F& f, int depth = 0) {
   constexpr int kLeast = 4;
@@ -69,7 +69,7 @@ double largest_between(double low, double high, const F& f, int depth = 0) {
   return std::max(largest_between(low, middle, f, depth + 1), largest_between(middle, high, f, depth + 1));
 }
 
-/// The half diagonal of A by D: the covering radius, were the sphere flat.
+/// Half the diagonal of A by D: the covering radius if the sphere were flat.
 template <class P>
 double flat_gap(const FromPole<P>& curve, double phi) {
   const double t = curve.place(phi);
@@ -79,8 +79,8 @@ double flat_gap(const FromPole<P>& curve, double phi) {
   return 0.5 * std::hypot(curve.below(phi) - phi, std::hypot(after - before, across));
 }
 
-/// Distance of the direction at phi from the nearer of two entries one step apart on the turn that passes its
-/// theta at phi_turn, where these are as far as they can be.
+/// Largest distance of a direction at phi from the nearer of two entries, one step apart, on the turn that
+/// passes its azimuth at phi_turn.
 template <class P>
 double worst_on_turn(const FromPole<P>& curve, double phi, double phi_turn) {
   const double turn = curve.turn(phi_turn);
@@ -98,8 +98,9 @@ double worst_on_turn(const FromPole<P>& curve, double phi, double phi_turn) {
   return away(t - high);
 }
 
-/// Largest distance from a direction between the turn through phi_a and the one below (at one theta) to the
-/// nearest entry, at the worst places of entries on each: halving finds where both are as far.
+/// Largest distance to the nearest entry from a direction between the turn through phi_a and the one below,
+/// if the entries on both are as far away as they can be. Halving finds the direction that is equally far
+/// from both.
 template <class P>
 double worst_gap(const FromPole<P>& curve, double phi_a) {
   const double phi_b = curve.below(phi_a);
@@ -117,7 +118,8 @@ inline double widest_parallel(double from, double to) {
   return from < 0.5 * kPi && to > 0.5 * kPi ? 1.0 : std::max(std::sin(from), std::sin(to));
 }
 
-/// Length of the curve between two polar angles, at most: of pieces as if each were on its longest parallel.
+/// Upper bound on the length of the curve between two polar angles: each piece counts as if on its longest
+/// parallel.
 template <class P>
 double curve_length(const FromPole<P>& curve, double from, double to) {
   constexpr int kPieces = 16;
@@ -132,9 +134,9 @@ double curve_length(const FromPole<P>& curve, double from, double to) {
   return length;
 }
 
-/// From any direction between two turns it is at most half of their distance to the nearer one and then at
-/// most half a step along it; the pole stands for a turn that is missing. The largest such way from the polar
-/// entries.
+/// Upper bound on the gap at the polar entries. From any direction between two turns the nearer one is at
+/// most half of their distance away, and an entry at most half a step along it. The pole stands for a missing
+/// turn.
 template <class P>
 double polar_gap_bound(const FromPole<P>& curve) {
   double largest = 0.5 * curve.polar_of_turn(1.0);
@@ -148,8 +150,9 @@ double polar_gap_bound(const FromPole<P>& curve) {
   return std::min(largest, kPi);
 }
 
-/// Of the cap at the pole: the largest gap, found exactly where the entries in reach are not too many. (They
-/// are where the cap of a conchoid that is nearly a cusp takes in half of the sphere.)
+/// The largest gap in the cap at the pole, exact unless too many entries are in reach; then
+/// polar_gap_bound(). (Too many are where the cap of a conchoid that is nearly a cusp takes in half of the
+/// sphere.)
 template <class P>
 double polar_gap(const FromPole<P>& curve) {
   constexpr double kMostTaken = 2000.0;
@@ -163,9 +166,9 @@ double polar_gap(const FromPole<P>& curve) {
   return largest_gap(polar, std::cos(cap), reach);
 }
 
-/// The larger of the gaps at the poles, found exactly, and of the rest, where the entries of the turns above
-/// and below may be in any phase to each other. There the gap exceeds the flat one by what parallels are
-/// curved, which is the more the nearer they are to a pole: at the edge of the cap.
+/// The covering radius: the larger of the gap at the poles and the gap elsewhere, where entries of
+/// neighbouring turns may be in any phase to each other. There the gap exceeds the flat one because parallels
+/// are curved, the most at the edge of the polar cap.
 template <class P>
 double spiral_covering_radius(const P& placement) {
   double gap = 0.0;
@@ -189,8 +192,8 @@ double spiral_covering_radius(const P& placement) {
 }
 
 /// Length of a way from entry i to the far corner of its ribbon (one turn below the next entry) that does not
-/// leave the ribbon: along the turn, as far as the pole is in the way, and then straight. Near a pole that is
-/// longer than the way across it.
+/// leave the ribbon: along the turn while the pole is in the way, then straight. Near a pole this is longer
+/// than the way across it.
 template <class P>
 double way_to_far_corner(const FromPole<P>& curve, double i) {
   const double phi = curve.polar_angle(i);
@@ -208,10 +211,9 @@ double way_to_far_corner(const FromPole<P>& curve, double i) {
   }
 }
 
-/// Longest way from the entry at place t to a direction that reads it, on any placement. From the entry along
-/// the turn to the direction's azimuth is at most the longer step next to it, and from there along the
-/// meridian at most a spacing of turns; or both at once, along phi and across on the longest parallel that is
-/// met.
+/// Upper bound on the way from the entry at place t to a direction that reads it, on any placement: along the
+/// turn to the azimuth of the direction, at most the longer step next to the entry, then along the meridian,
+/// at most a spacing of turns; or both at once, along phi and across on the longest parallel that is met.
 template <class P>
 double way_to_readers(const FromPole<P>& curve, double t) {
   const double phi = curve.polar_angle(t);
@@ -227,9 +229,10 @@ double way_to_readers(const FromPole<P>& curve, double t) {
   return std::min(step + spacing, std::hypot(along, across * widest_parallel(above, below)));
 }
 
-/// The direction farthest from an entry is at the far corner of its ribbon where turns are no farther apart
-/// at the pole than elsewhere, as those of a helix. Beyond the polar entries a reader is away at most a step
-/// and a spacing along phi, and across at most the step's azimuth on the longest parallel that is met.
+/// The stencil radius. The direction farthest from an entry is at the far corner of its ribbon if turns are
+/// no farther apart at the pole than elsewhere, as on a helix. Beyond the polar entries a direction that
+/// reads an entry is at most a step and a spacing away along phi, and across at most the azimuth of the step
+/// on the longest parallel that is met.
 template <class P>
 double spiral_stencil_radius(const P& placement) {
   if (placement.turns() < 2.5) return kPi;  // six entries or so: some stencils span the sphere
@@ -251,7 +254,7 @@ double spiral_stencil_radius(const P& placement) {
   return std::min(largest, kPi);
 }
 
-/// Compiled once for the placements of the library, each with its own.
+/// For the placements of the library these functions are compiled once, in the file of each.
 class ArcSteps;
 class ConchoidSteps;
 class HeightSteps;

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A filled table as it is kept: which number an entry holds (the interpolant), and in how many bytes (the
-/// values: double, float, or 16 bits over the occupied range). It answers as the same interpolant in double
-/// does, rim cells included, up to a bound that is worked out when it is made.
-///
-/// Radii (`smooth`). Weights are not negative and sum to 1, so that an answer is off by at most as much as an
-/// entry is:
-///   |sum w_i R_i - sum w_i r_i| <= max |R_i - r_i|                    (half a step, or 2^-24 r in float)
-/// Inverse depths (`mesh_exact`). The radius is |P| / q, P the point of the solid and q = sum w_i q_i. With e
-/// the largest |Q_i - q_i| / Q_i,
-///   | |P| / Q - |P| / q | = (|P| / q) |sum w_i (Q_i - q_i)| / sum w_i Q_i <= r e,
-/// a mean of quotients being none larger than the largest. With one error d of every entry this is the
-/// r^2 depth d that the derivative of 1 / (q depth) gives. And r <= max r_i, since |P| <= sum w_i |P_i| and
-/// q_i = |P_i| / r_i.
-/// The maxima run over the entries as they are stored, so that neither bound is larger than it must be. Added
-/// is the rounding of the two sums of at most four products, and of the weights' sum: kSumRounding times r.
+/// A filled table in the form in which it is kept. The interpolant says which number an entry holds, a radius
+/// (`smooth`) or an inverse depth (`mesh_exact`); the values say in how many bytes: double, float, or 16 bits
+/// over the occupied range. The table answers as the same interpolant in double does, rim cells included, up
+/// to a bound that is found when it is made: the largest error of a stored radius, or the largest radius
+/// times the largest relative error of a stored inverse depth (see the remark after Theorem 2 (table)).
+/// kSumRounding times the radius is added.
 #pragma once
 
 #include <algorithm>
@@ -30,17 +21,18 @@
 
 namespace impinge {
 
-/// 5 roundings of either sum, 4 of the weights' sums, 3 of point and quotient; half an ulp each.
+/// The relative rounding of a look-up: 5 roundings of each of the two sums of products, 4 of the sums of
+/// weights, 3 of point and quotient; half an ulp each.
 inline constexpr double kSumRounding = 17.0 * 0x1p-53;
 
 /// The `smooth` interpolant: an entry holds its radius, mm, and a look-up is linear in it, as in the thesis.
 struct Smooth {
-  /// What the entry holds.
+  /// The number that an entry of this radius (mm) holds.
   template <SamplingScheme S>
   static double number(const S& /*scheme*/, std::size_t /*entry*/, double radius) {
     return radius;
   }
-  /// And the radius back, mm.
+  /// The radius of an entry that holds this number, mm.
   template <SamplingScheme S>
   static double radius(const S& /*scheme*/, std::size_t /*entry*/, double number) {
     return number;
@@ -51,14 +43,15 @@ struct Smooth {
     const Stencil stencil = scheme.stencil(x);
     return rim.contains(stencil.cell) ? kNoSurface : interpolate(stencil, radii);
   }
-  /// How far off answers are where entries are: by `off` at most, relative to what is stored by `relative`.
+  /// Bound on the error of answers, mm, if entries are off by at most `off`, and by at most `relative` times
+  /// what is stored.
   static double storage_bound(double off, double /*relative*/, double largest_radius) {
     return off + kSumRounding * largest_radius;
   }
 };
 
-/// Does a rim cross the triangle of the taps, or part x from them? If it does not cross the cell of the taps
-/// it can only cut off what lies beside its curved border, in the cell of x.
+/// May a rim cross the triangle of the taps, or part x from them? Then it crosses the cell of the taps or, if
+/// x is beside the curved border of that cell, the cell of x.
 template <PlaneExactScheme S>
 bool is_at_rim(const S& scheme, const CellMask& rim, std::size_t taps_cell, const Vec3& x) {
   if (rim.empty()) return false;
@@ -78,7 +71,7 @@ bool is_at_rim(const S& scheme, const CellMask& rim, std::size_t taps_cell, cons
 /// A sphere of radius R becomes its chords: up to R rho^2 / 2 inside of it, rho the covering radius, where
 /// `smooth` is exact.
 struct MeshExact {
-  /// As those of Smooth.
+  /// As in Smooth.
   template <PlaneExactScheme S>
   static double number(const S& scheme, std::size_t entry, double radius) {
     return 1.0 / (radius * scheme.depth(scheme.direction(entry)));
@@ -98,12 +91,12 @@ struct MeshExact {
   }
 };
 
-/// Made from a filled table; it takes over the rim cells.
+/// A table as it is kept, made from a filled one, whose rim cells it takes over.
 template <SamplingScheme S, class Interpolant, class Values>
 class StoredTable {
  public:
-  /// Rounds the numbers to what `Values` can hold, and finds by how much. std::invalid_argument where it
-  /// cannot.
+  /// Rounds the numbers to what `Values` can hold, and finds the error. Throws std::invalid_argument for a
+  /// number that `Values` cannot hold.
   explicit StoredTable(const RadialTable<S>& filled) : StoredTable(filled, numbers_of(filled)) {}
 
   const S& scheme() const { return scheme_; }         // whose entries it keeps
@@ -111,7 +104,7 @@ class StoredTable {
   const Values& values() const& { return values_; }   // by entry, NaN where there is no surface
   const Values& values() const&& = delete;            // they would dangle: keep the table
 
-  /// Of values and rim mask.
+  /// Bytes of values and rim mask.
   std::size_t bytes() const {
     if constexpr (kExact)
       return values_.size() * sizeof(double) + rim_.bytes();
@@ -119,7 +112,7 @@ class StoredTable {
       return values_.bytes() + rim_.bytes();
   }
 
-  /// Largest |this - the same interpolant in double| over all directions that have an answer, mm.
+  /// Bound on the difference from the same interpolant in double, in all directions that have an answer, mm.
   double storage_bound() const { return storage_bound_; }
 
   /// Radius along direction(i), mm.

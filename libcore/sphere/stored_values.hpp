@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers kept in fewer bytes than a double takes: each reads back as a double, and knows how far off the
-// numbers are at most. NaN, which is "no surface", stays NaN.
+// Keeps numbers in fewer bytes than doubles take. They read back as doubles, and their largest error is
+// known. NaN, which is "no surface", stays NaN.
 #pragma once
 
 #include <algorithm>
@@ -19,9 +19,8 @@ namespace impinge {
 /// How a number is kept: in 8, 4 or 2 bytes.
 enum class Storage { double_precision, single_precision, sixteen_bits };
 
-/// Four bytes a number, rounded to nearest: off by at most 2^-24 of the number. std::invalid_argument for a
-/// number that is too large for a float, or so small (below 2^-126, but for 0) that fewer digits are left of
-/// it.
+/// Four bytes a number, rounded to nearest: off by at most 2^-24 of the number. Throws std::invalid_argument
+/// for a number that is too large for a float, or too small to keep its digits (below 2^-126, except 0).
 class FloatValues {
  public:
   static constexpr std::string_view name = "float";  // in tables of results

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory of a large table: a std::vector whose pages are large where the system has such.
+// A std::vector for large tables, whose memory has large pages if the system has them.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace impinge {
 
-/// From 2 MiB on in pages of 2 MiB, if Linux will: a fault for each page of 4 KiB takes as long as filling
-/// it.
+/// Allocates memory, from 2 MiB on in pages of 2 MiB if Linux gives them: the fault for each page of 4 KiB
+/// takes as long as filling it.
 void* allocate_table(std::size_t bytes);
 void free_table(void* memory, std::size_t bytes) noexcept;  // gives it back; `bytes` as it was asked for
 
@@ -18,7 +18,7 @@ struct LargePages {
   using value_type = T;  // of the elements
 
   LargePages() = default;
-  /// All are alike.
+  /// All allocators are alike.
   template <class U>
   explicit LargePages(const LargePages<U>& /*other*/) {}
 

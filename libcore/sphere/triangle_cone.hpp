@@ -20,10 +20,11 @@ namespace impinge {
 /// ball) or back-facing (normal towards it, a socket); both are met alike.
 class TriangleCone {
  public:
-  /// Of the face a, b, c, in mm.
+  /// The cone of the face a, b, c, in mm.
   TriangleCone(const Vec3& a, const Vec3& b, const Vec3& c);
 
-  /// The plane of the face passes through the centre, exactly: no direction meets its inside in one point.
+  /// Does the plane of the face pass through the centre, exactly? Then no direction meets its inside in one
+  /// point.
   bool edge_on() const { return side_ == 0; }
 
   /// +1 front-facing, -1 back-facing, 0 edge-on.
@@ -32,8 +33,8 @@ class TriangleCone {
   const std::array<Vec3, 3>& corners() const& { return corner_; }  // as given, mm
   const std::array<Vec3, 3>& corners() const&& = delete;           // they would be gone before they are read
 
-  /// Does the ray along unit u meet the face, boundary included? Exact: of the faces round an edge or
-  /// vertex at least one answers yes.
+  /// Does the ray along unit u meet the face, boundary included? Exact: at least one of the faces round an
+  /// edge or vertex answers yes.
   bool contains(const Vec3& u) const {
     bool certain = true;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -62,8 +63,9 @@ class TriangleCone {
   /// Distance of the centre from the plane of the face, mm.
   double plane_distance() const { return plane_.offset / plane_.normal.norm(); }
 
-  /// r = n.v0 / (n.u) along a unit u that the cone contains (mm); the nearest corner's for a grazing face.
-  /// Never above the farthest corner, which only matters where u grazes the face and n.u is rounding noise.
+  /// The radius r = n.v0 / (n.u) along a unit u that the cone contains, mm. It is never above the radius of
+  /// the farthest corner, which matters only if u grazes the face and n.u is rounding noise; for a face that
+  /// is seen edge-on but for rounding it is the radius of the nearest corner.
   double radius(const Vec3& u) const {
     if (grazing_) return smallest_radius_;
     return plane_radius<double>(plane_.normal, plane_.offset, largest_radius_, u);
@@ -85,7 +87,7 @@ class TriangleCone {
   FacePlane plane_;
   double largest_radius_;
   double smallest_radius_;
-  bool grazing_;  // so near to the centre's plane that no digit of n.u is certain, or of n.v0
+  bool grazing_;  // its plane is so near to the centre that no digit of n.u or of n.v0 is certain
   std::array<Vec3, 3> edge_plane_;
   std::array<double, 3> doubt_{};
 };

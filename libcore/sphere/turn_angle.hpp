@@ -34,7 +34,8 @@ inline CosSin turn_angle(double turns) {
   return {quarter * (quarter + 1.0) == 0.0 ? c : -c, quarter * (quarter - 1.0) == 0.0 ? s : -s};
 }
 
-/// Direction whose polar angle from the north pole, or else from the south pole, has this haversine.
+/// The direction at the azimuth 2 pi `turns` whose polar angle has the haversine `hav`, from the south pole
+/// if `south`, else from the north pole.
 inline Vec3 spiral_point(double hav, bool south, double turns) {
   const CosSin theta = turn_angle(turns);
   const double sin_phi = 2.0 * std::sqrt(hav * (1.0 - hav));

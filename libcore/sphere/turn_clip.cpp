@@ -9,7 +9,7 @@
 namespace impinge {
 namespace {
 
-// With pieces that wide a parallel leaves its chord by at most a spacing of the turns.
+// The number of pieces, so narrow that a parallel leaves its chord by at most a spacing of the turns.
 std::size_t piece_count(double width, double spacing, std::size_t most) {
   const double widest = std::sqrt(8.0 * spacing);
   return std::min(static_cast<std::size_t>(width / widest) + 1, most);
@@ -29,7 +29,7 @@ TurnClip::TurnClip(const TriangleCone& cone, const AngularBox& box, const Accura
     const Vec3& to = cone.corners()[(k + 1) % 3];
     plane[k] = cone.side() * from.cross(to);
     length_[k] = plane[k].norm();
-    // The second part is the rounding of the plane: where it is all there is, nothing is clipped.
+    // The second term is the rounding of the plane: a plane that is nothing but rounding clips nothing.
     leeway_[k] = leeway * length_[k] + 2.0 * cone.doubt();
     upright_[k] = plane[k].z();
   }

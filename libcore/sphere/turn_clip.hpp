@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which part of a turn of a spiral may lie in a triangle cone or near it, for walkers.
+// Finds which part of a turn of a spiral may lie in or near a triangle cone, for walkers.
 //
-// A turn crosses the azimuths of the triangle's angular box in a few pieces between borders of fixed azimuth.
-// It is taken for the parallel of its middle, phi: nowhere more than half of its rise in phi away. Let n . u
-// be the signed distance of a direction u from an edge plane. Along a piece that is w wide a parallel leaves
-// its chord by at most sin(phi) w^2 / 8, so that n . u leaves the straight line between its values at both
-// borders by at most
+// Within the triangle's angular box a turn is divided into a few pieces by borders of fixed azimuth. The turn
+// is replaced by the parallel of its middle, phi, from which it is at most half of its rise in phi away. Let
+// n be normal to an edge plane. Along a piece of width w a parallel leaves its chord by at most sin(phi) w^2
+// / 8, so that n . u leaves the straight line between its values at both borders by at most
 //   |n| (sin(phi) w^2 / 8 + rise / 2).
-// A direction within `margin` of the triangle has n . u >= -|n| sin(margin). Where line and both allowances
-// together are negative there is nothing to be found.
+// Within `margin` of the triangle n . u >= -|n| sin(margin). Where the line plus both allowances is negative,
+// no direction of the turn is that near.
 #pragma once
 
 #include <array>
@@ -21,34 +20,33 @@ namespace impinge {
 
 class TurnClip {
  public:
-  /// Shares of a piece, 0 at its first border and 1 at its second; nothing where from > to.
+  /// A part of a piece, in shares from 0 at its first border to 1 at its second; empty if from > to.
   struct Part {
     double from;  // share of the piece at which the part begins
     double to;    // and at which it ends
   };
 
-  /// A turn between the outermost borders. Radians.
+  /// A turn between the outermost borders.
   struct Turn {
-    CosSin polar;  // of its middle
-    double rise;   // of its polar angle, at least
+    CosSin polar;  // of the polar angle of its middle
+    double rise;   // by which its polar angle rises, or more, radians
   };
 
-  /// `spacing` is that of the turns, on which the number of pieces depends; `doubt` bounds the error of an
-  /// entry's direction. Radians.
+  /// All in radians.
   struct Accuracy {
     double margin;   // how near to the triangle entries count
-    double spacing;  // of turns
-    double doubt;    // of directions
+    double spacing;  // of turns, on which the number of pieces depends
+    double doubt;    // bounds the error of an entry's direction
   };
 
-  /// Of the triangle `cone`, whose angular box (with the margin) is `box`.
+  /// For the triangle `cone`, whose angular box (with the margin) is `box`.
   TurnClip(const TriangleCone& cone, const AngularBox& box, const Accuracy& accuracy);
 
   std::size_t pieces() const { return pieces_; }  // into which the azimuths of the box are divided
   /// Azimuth of border k = 0 ... pieces(), in turns.
   double azimuth(std::size_t k) const { return azimuth_ + static_cast<double>(k) * width_; }
 
-  /// Of the piece between borders k and k + 1.
+  /// The part of the piece between borders k and k + 1 on which the turn may be near the triangle.
   Part part(std::size_t k, const Turn& turn) const {
     const double bend = turn.polar.sin * bend_ + 0.5 * turn.rise;
     Part part{0.0, 1.0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The thesis' helix theta = 2 k phi (Eq. 9) with k turns and w = k^2 entries, wherever they stand on it: what
-// Usid and UsidArc share.
+// What Usid and UsidArc share: the thesis' helix theta = 2 k phi (Eq. 9) with k turns and w = k^2 entries,
+// wherever on it they stand.
 //
 // A turn at the equator spans pi / k of phi, hence pi w / (2 k) = pi k / 2 entries: rounded up, the counts of
 // Table 6. With 360 / p of them k = 2 (360 / p) / pi.
@@ -18,7 +18,8 @@ namespace impinge {
 template <class S, class P>
 class TurnsHelix : public Spiral<P> {
  public:
-  /// std::invalid_argument for precisions that make no sense.
+  /// The scheme whose entries are about `degrees` apart along the equator. Throws std::invalid_argument above
+  /// 90 and below 2.3e-4 degrees.
   static S with_precision(double degrees) {
     if (!(degrees > 0.0 && degrees <= 90.0))
       throw std::invalid_argument("a USID precision is above 0 and at most 90 degrees");
@@ -27,7 +28,7 @@ class TurnsHelix : public Spiral<P> {
       throw std::invalid_argument("a USID precision is at least 2.3e-4 degrees");
     return with_turns(static_cast<std::size_t>(turns));
   }
-  /// Of k turns and k^2 entries, 2 to 1000000 turns; std::invalid_argument else.
+  /// The scheme with k turns and k^2 entries. Throws std::invalid_argument unless k is 2 to 1000000.
   static S with_turns(std::size_t turns) {
     if (turns < 2) throw std::invalid_argument("a USID helix has at least 2 turns");
     if (turns > kMostTurns) throw std::invalid_argument("a USID helix has at most 1000000 turns");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random numbers and directions that are the same with every standard library: those of its distributions
-// are not.
+// Random numbers and directions that are the same with every standard library; its distributions are not.
 #pragma once
 
 #include <cmath>
@@ -24,7 +23,7 @@ inline Vec3 uniform_direction(std::mt19937_64& random) {
   return {across * std::cos(theta), across * std::sin(theta), z};
 }
 
-/// Uniform on the sphere; the same for a seed everywhere.
+/// Uniform on the sphere; the same everywhere for a given seed.
 inline std::vector<Vec3> uniform_directions(std::size_t count, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<Vec3> directions;
@@ -33,7 +32,7 @@ inline std::vector<Vec3> uniform_directions(std::size_t count, std::uint64_t see
   return directions;
 }
 
-/// Uniform on the two caps within an angle of the poles, radians, in turn.
+/// Uniform on the caps within an angle (radians) of the two poles, which take turns.
 inline std::vector<Vec3> polar_directions(std::size_t count, double within, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<Vec3> directions;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which entries of a scheme are inside or near a triangle, by the scheme's own walker or by a tree of caps
-// that any scheme gets from its directions; and which of them are inside, exactly.
+// Finds the entries of a scheme that are inside or near a triangle, by the scheme's own walker or by a tree
+// of caps that works for any scheme; and decides exactly which of them are inside.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace impinge {
 
-/// The directions within a margin of a triangle cone, as far as a cap can be shown to miss them.
+/// The directions within a margin of a triangle cone, with a test whether a cap surely misses them.
 class ConeNeighbourhood {
  public:
   /// `margin` in radians.
@@ -44,13 +44,13 @@ class ConeNeighbourhood {
   /// Is every direction within `radius` of the unit vector `axis` surely farther than the margin from the
   /// cone?
   bool misses(const Vec3& axis, double radius) const { return is_beyond(axis, limits(radius)); }
-  /// And a single direction?
+  /// Is the unit vector u surely farther than the margin from the cone?
   bool misses(const Vec3& u) const { return is_beyond(u, of_direction_); }
 
  private:
-  static constexpr double kRounding = 1e-9;  // rad, far above that of all that is computed here
+  static constexpr double kRounding = 1e-9;  // rad, far above all rounding in this class
 
-  /// A cap with this axis is beyond the one round the triangle, or on the far side of an edge.
+  /// Limits beyond which a cap misses the cap round the triangle, or lies on the far side of an edge.
   struct Limits {
     double cosine;  // to the middle of the triangle
     double beside;  // sine above an edge's plane
@@ -75,9 +75,8 @@ class ConeNeighbourhood {
   Limits of_direction_{};
 };
 
-/// A walker of any scheme. Up to 16 consecutive entries that are close to each other, by the covering radius,
-/// make a run, and the caps round the runs a tree. Holds all directions: 24 bytes an entry, and about as much
-/// for the tree.
+/// A walker for any scheme: a tree of caps round runs of up to 16 consecutive entries that are close to each
+/// other. Holds all directions, 24 bytes an entry, and about as much for the tree.
 class WalkerTree {
  public:
   /// Asks the scheme for each direction once.
@@ -121,13 +120,13 @@ class WalkerTree {
     Vec3 axis;
     double radius;
   };
-  /// In the order of a walk from the root; `after` is the first node that is not below this one. Entries are
-  /// at the nodes without others below, elsewhere count is 0.
+  /// Nodes are in the order of a walk from the root; `after` is the first node that is not below this one.
+  /// Only leaves have entries; elsewhere count is 0.
   struct Node : Leaf {
     std::size_t after;
   };
 
-  /// In runs without those that are surely too far.
+  /// Visits the entries of a leaf, in runs, without those that are surely too far.
   template <class Visit>
   void visit_leaf(const Leaf& leaf, const ConeNeighbourhood& near, Visit&& visit) const {
     const std::size_t end = leaf.first + leaf.count;
@@ -181,7 +180,8 @@ class WalkerTree {
   std::vector<Node> nodes_;
 };
 
-/// The scheme's own walker, or else a WalkerTree. To be asked often: the tree costs a look at every entry.
+/// The scheme's own walker, or else a WalkerTree. Make it once for many triangles: the tree looks at every
+/// entry.
 template <class S>
 decltype(auto) walker_of(const S& scheme) {
   if constexpr (HasWalker<S>) {

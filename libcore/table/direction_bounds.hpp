@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A proven bound on the error of one look-up: the least of
+// A proven bound on the error of one look-up. It is the least of
 //   the bound of first order about the direction (error_bound.hpp), for tables of radii,
-//   the bound of the cell that answers, before any halving (table_bound.hpp), where the scheme has patches,
+//   the bound of the cell that answers, before any halving (table_bound.hpp), if the scheme has patches,
 //   and the bound of the whole table (table_bound.hpp).
-// A surface that is seen edge-on somewhere spoils only the last of them.
+// A face that is seen edge-on somewhere spoils only the last of them.
 #pragma once
 
 #include <algorithm>
@@ -15,11 +15,11 @@
 
 namespace impinge {
 
-/// Tables of radii with more cells get the first-order bound only: the others take some microseconds a cell.
+/// Tables of radii with more cells get only the bound of first order: the others take microseconds a cell.
 inline constexpr std::size_t kMostBoundedCells = 1'500'000;
 
-/// The lesser of the bound of a cell and that of the whole table, mm. 0 in `of_cells` means that the cell has
-/// no bound of its own.
+/// The lesser of the bound of a cell and the bound of the whole table, mm. A 0 in `of_cells` means that the
+/// cell has no bound of its own.
 inline double bound_in(const std::vector<float>& of_cells, std::size_t cell, double everywhere) {
   const auto here = static_cast<double>(of_cells[cell]);
   return here > 0.0 ? std::min(here, everywhere) : everywhere;
@@ -29,8 +29,8 @@ inline double bound_in(const std::vector<float>& of_cells, std::size_t cell, dou
 template <SamplingScheme S>
 class DirectionBounds {
  public:
-  /// mesh in the centre frame; the table was filled from it, exactly, for this layer. Keeps a reference to
-  /// the table. `options` control the search for the bound of the whole table.
+  /// The table must have been filled exactly, for this layer, from `mesh`, which is in the centre frame.
+  /// Keeps a reference to the table. `options` control the search for the bound of the whole table.
   DirectionBounds(const TriangleMesh& mesh, const RadialTable<S>& table, Layer layer,
                   BoundOptions options = {})
       : table_(table), slopes_(largest_slopes(mesh, table.scheme())) {
@@ -44,11 +44,11 @@ class DirectionBounds {
 
   DirectionBounds(const TriangleMesh&, const RadialTable<S>&&, Layer, BoundOptions = {}) = delete;
 
-  /// Bound for the whole table, mm; infinite where none is proven.
+  /// Bound for the whole table, mm; infinite if none is proven.
   double everywhere() const { return everywhere_; }
 
-  /// Bound on |radius_at(x) - radius of the mesh along x|, mm; kNoSurface where the table has no answer,
-  /// infinite where nothing is proven.
+  /// Bound on |radius_at(x) - radius of the mesh along x|, mm; kNoSurface if the table has no answer,
+  /// infinite if nothing is proven.
   double at(const Vec3& x) const {
     const double here = error_bound_at(table_, slopes_, x);
     if (std::isnan(here)) return here;

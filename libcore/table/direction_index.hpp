@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faces near a direction: for each entry of a cube map, a list of faces. All look-ups of faces use it. The
-// caller that fills it decides which faces count as near an entry, and may gather other data on the way.
+// Finds faces near a direction: it keeps a list of faces for each entry of a cube map. All look-ups of faces
+// use it. The caller that fills it decides which faces count as near an entry, and may gather other data on
+// the way.
 #pragma once
 
 #include <algorithm>

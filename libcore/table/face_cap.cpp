@@ -6,7 +6,7 @@
 namespace impinge {
 
 FaceCap face_cap(const std::array<Vec3, 3>& corners) {
-  constexpr double kRounding = 1e-12;  // of lengths, as a share
+  constexpr double kRounding = 1e-12;  // as a share of lengths
   FaceCap seen;
   seen.side = orientation(corners[0], corners[1], corners[2]);
   seen.cap.axis = Vec3::Zero();

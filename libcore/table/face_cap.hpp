@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Caps of directions and ranges of radii, and those of a face.
+// Caps of directions and ranges of radii, and the cap and range of a face.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct DirectionCap {
   double radius = 0.0;  // radians
 };
 
-/// mm; low > high where there is nothing.
+/// A range of radii, mm; low > high if it is empty.
 struct RadiusRange {
   double low = std::numeric_limits<double>::infinity();    // the least radius
   double high = -std::numeric_limits<double>::infinity();  // the largest radius
@@ -36,9 +36,9 @@ enum class Cover { none, part, whole };
 /// which is below 16 2^-53 = 1.8e-15.
 inline constexpr double kDirectionSlack = 1e-12;
 
-/// Ranges are wider than the truth by kRangeSlack of the radius, and caps by kCapSlack radians. A radius has
-/// 84 2^-53 (1 + tan psi) of rounding (error_bound.hpp), 1e-10 up to tan psi = kSteepSlope. Of a steeper
-/// face no radius below that of its farthest corner is excluded.
+/// Ranges are made wider by kRangeSlack of the radius, and caps by kCapSlack radians. A radius has a rounding
+/// error of 84 2^-53 (1 + tan psi) of itself (error_bound.hpp), 1e-10 up to tan psi = kSteepSlope. The range
+/// of a steeper face holds all radii up to its farthest corner.
 inline constexpr double kRangeSlack = 1e-9;
 inline constexpr double kCapSlack = 1e-10;
 inline constexpr double kSteepSlope = 1e4;
@@ -52,7 +52,7 @@ struct FaceCap {
   bool small() const { return cap.radius < 0.5 * kPi; }  // does the cap hold the directions?
 };
 
-/// Cap and range of the face with these corners (mm, centre frame), rounded outwards. With a corner at the
+/// Cap and range of the face with these corners (mm, centre frame), rounded outwards. If a corner is at the
 /// centre the cap holds all directions.
 FaceCap face_cap(const std::array<Vec3, 3>& corners);
 

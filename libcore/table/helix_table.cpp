@@ -33,7 +33,7 @@ PackedTable<Usid, Value> packed_table(const RadialTable<Usid>& table) {
     lanes.step = coded.step();
     for (std::size_t e = 0; e < coded.size(); ++e) lanes.values.push_back(coded.code(e));
   } else {
-    if constexpr (std::same_as<Value, float>) static_cast<void>(FloatValues(radii));  // its checks
+    if constexpr (std::same_as<Value, float>) static_cast<void>(FloatValues(radii));  // for its checks
     for (const double radius : radii) lanes.values.push_back(static_cast<Value>(radius));
   }
   lanes.values.resize(radii.size() + kBehind, Value{0});

@@ -15,7 +15,7 @@ namespace {
 constexpr double kFinest = 0.5;  // degrees between entries of the grid
 constexpr double kCoarsest = 10.0;
 
-// The grid whose cells are as large as the mean face, as seen from the centre.
+// A grid whose cells are about as large as the mean face, as seen from the centre.
 CubeGnomonic face_grid(const TriangleMesh& mesh) {
   require_lengths(mesh);
   double total = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The faces of a surface near a direction, and what they prove about any table of the surface, although none
-// is made. Ready in a few milliseconds: for looking up few directions, where a table costs more than it
+// Finds the faces of a surface near a direction, and what they prove about any table of the surface, without
+// making one. It is ready in a few milliseconds: for a few directions, for which a table costs more than it
 // saves.
 #pragma once
 
@@ -20,28 +20,29 @@ namespace impinge {
 
 class NearFaces {
  public:
-  /// What is known of all directions within the margin of the one that was asked for.
+  /// What holds for all directions within the margin of the one that was asked for.
   struct Near {
     std::span<const std::uint32_t> faces;  // every face that is met there, and perhaps some that are not
-    RadiusRange range;  // mm, holds every radius there and every mean of them; empty if there is none
+    RadiusRange range;  // mm, holds every radius there and every mean of them; empty without a face
     bool rim = true;    // may the surface end or jump there?
 
     bool nothing() const { return range.empty(); }  // no face is met
   };
 
-  /// mesh in the centre frame; it must outlive this. margin in radians. Faces whose plane holds the centre
-  /// cover no direction and are not listed.
+  /// `mesh` is in the centre frame and must outlive this; `margin` is in radians. Faces whose plane holds the
+  /// centre cover no direction and are not listed.
   NearFaces(const TriangleMesh& mesh, double margin);
   NearFaces(const TriangleMesh&&, double) = delete;
 
-  /// x of any length. For x = 0, which has no direction, nothing is known: no faces, any radius.
+  /// The faces near the direction of x, of any length. For x = 0, which has no direction, nothing is known:
+  /// no faces, any radius.
   Near near(const Vec3& x) const;
 
   /// Radius of the layer along unit u, mm; kNoSurface if it meets no face. Equal to what fill_exact() gives
   /// an entry in this direction.
   double radius(const Vec3& u, Layer layer) const;
 
-  /// The same, for u within the margin of the direction that `near` was asked for.
+  /// The same, if u is within the margin of the direction for which `near` was made.
   double radius(const Vec3& u, const Near& near, Layer layer) const;
 
   /// Does test(face, side) hold for some face that may be met in the direction of x? side is the orientation
@@ -64,16 +65,16 @@ class NearFaces {
   /// All jump edges that come within `angle` radians of one of these directions, and perhaps others.
   std::vector<JumpEdge> jumps_near(std::span<const Vec3> directions, double angle) const;
 
-  std::size_t bytes() const;  // of memory, without the mesh
+  std::size_t bytes() const;  // of memory, the mesh not included
 
  private:
   struct Cap {
     Vec3 axis;
-    double cosine;  // of the angle that holds the face; -1 where it does not
+    double cosine;  // of the radius of a cap that holds the face; -1 if there is none
     int side;       // orientation of its corners
   };
-  /// Of the faces within reach of an entry of the grid; as floats, rounded outwards, for a look-up to find
-  /// those of neighbours together.
+  /// Summary of the faces within reach of an entry of the grid. Floats, rounded outwards, keep the summaries
+  /// of neighbours close in memory.
   struct Summary {
     float low = std::numeric_limits<float>::infinity();
     float high = -std::numeric_limits<float>::infinity();
@@ -84,7 +85,7 @@ class NearFaces {
   const TriangleMesh& mesh_;
   double margin_;
   DirectionIndex index_;
-  double reach_;  // radians: of the summary of an entry
+  double reach_;  // of summaries, radians
   std::vector<Cap> caps_;
   std::vector<Summary> summaries_;
   std::vector<JumpEdge> jumps_;

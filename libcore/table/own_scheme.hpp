@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Filling a table and bounding its error, for a scheme of your own: what exact_raster.hpp, error_bound.hpp
-/// and table_bound.hpp declare. The schemes of the library are compiled once, in own_scheme.cpp.
+/// Fills a table and bounds its error for a scheme of your own: this defines what exact_raster.hpp,
+/// error_bound.hpp and table_bound.hpp declare. For the schemes of the library it is compiled once, in
+/// own_scheme.cpp.
 #pragma once
 
 #include <algorithm>
@@ -48,7 +49,7 @@ std::vector<float> largest_slopes(const TriangleMesh& mesh, const S& scheme) {
   for (const Face& face : mesh.faces) {
     const TriangleCone cone = cone_of(mesh, face);
     const double slope = cone.edge_on() ? std::numeric_limits<double>::infinity() : cone.largest_slope();
-    // A float may round down; one step up keeps the bound.
+    // The conversion to float may round down; one step up keeps the bound.
     const float safe = std::nextafter(static_cast<float>(slope), std::numeric_limits<float>::infinity());
     for_each_entry_near(walker, cone, scheme.stencil_radius(), [&](std::size_t entry, const Vec3&) {
       slopes[entry] = std::max(slopes[entry], safe);
@@ -68,7 +69,7 @@ class BoundSearch {
         error_(surface, direction_doubt(interpolant.table().scheme())),
         options_(options) {}
 
-  /// The whole search, once.
+  /// Runs the whole search. To be called once.
   TableBound run() {
     interpolant_.patches().for_each([this](const Patch& patch) { begin(patch); });
     result_.a_priori_mm = largest_bound();
@@ -94,7 +95,7 @@ class BoundSearch {
   };
 
   static constexpr std::size_t kMostOpen = 1U << 20U;
-  static constexpr double kLeastShare = 1e-4;  // of a patch, that a rectangle is
+  static constexpr double kLeastShare = 1e-4;  // of a patch; a smaller rectangle is not halved
 
   double enough() const { return options_.tightness * result_.attained_mm; }
   double largest_bound() const {
@@ -115,7 +116,8 @@ class BoundSearch {
     if (open_.size() > kMostOpen) close_tight();
   }
 
-  /// Of a whole patch. A float may round down; one step up keeps the bound.
+  /// Notes the bound of a whole patch for its cell. The conversion to float may round down; one step up keeps
+  /// the bound.
   void note_bound_of_cell(const Node& node) {
     const Vec3 middle = interpolant_.patches().at(node.patch, node.rect.middle(0), node.rect.middle(1));
     float& noted = (*options_.of_cells)[interpolant_.cell(middle)];
@@ -221,10 +223,10 @@ class BoundSearch {
   BoundOptions options_;
   TableBound result_;
   std::vector<Node> open_;
-  double closed_ = 0.0;  // largest bound of the rectangles that are done with
+  double closed_ = 0.0;  // largest bound of the rectangles that are not halved any more
 };
 
-/// Makes bounds above the largest radius of the mesh, which say nothing, infinite; those of cells too.
+/// Makes bounds infinite that are above the largest radius of the mesh and say nothing, of cells too.
 inline TableBound within_surface(const TriangleMesh& mesh, TableBound found,
                                  std::vector<float>* of_cells = nullptr) {
   double largest = 0.0;
@@ -238,7 +240,7 @@ inline TableBound within_surface(const TriangleMesh& mesh, TableBound found,
   return found;
 }
 
-/// The bound of first order of any scheme, by error_bound.hpp: r_i (exp(T_i s) - 1), the largest over the
+/// The bound of first order for any scheme (error_bound.hpp): the largest r_i (exp(T_i s) - 1) of all
 /// entries.
 template <SamplingScheme S>
 TableBound first_order_bound(const TriangleMesh& mesh, const RadialTable<S>& table) {
@@ -253,10 +255,8 @@ TableBound first_order_bound(const TriangleMesh& mesh, const RadialTable<S>& tab
   return within_surface(mesh, result);
 }
 
-/// The same for a table of inverse depths. An answer R at the point P = sum w_i P_i of the solid has
-///   1 / R = sum w_i |P_i| / (r_i |P|),   |P| <= sum w_i |P_i| <= |P| / cos s,
-/// so that it is at most the largest tap and at least cos s times the least, and is off by at most
-/// r_i (exp(T_i s) - cos s) for one of them.
+/// The same for a table of inverse depths: the largest r_i (exp(T_i s) - cos s) of all entries, by Theorem 3
+/// (slope).
 template <PlaneExactScheme S>
 TableBound first_order_bound(const TriangleMesh& mesh, const InverseDepthTable<S>& table) {
   const S& scheme = table.scheme();

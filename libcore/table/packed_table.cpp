@@ -14,7 +14,7 @@
 namespace impinge {
 namespace {
 
-constexpr double kHarmless = 1.0;  // in the place of a number that is not there
+constexpr double kHarmless = 1.0;  // stands for a missing number
 
 // Rows of `stride` entries, NaN where there is no surface; rows_of_cells says whose rows begin cells.
 struct Rows {
@@ -34,13 +34,13 @@ void store(const Rows& rows, Table& table) {
     for (std::size_t e = 0; e < coded.size(); ++e)
       table.values.push_back(std::isnan(rows.numbers[e]) ? std::uint16_t{0} : coded.code(e));
   } else {
-    if constexpr (std::same_as<Value, float>) static_cast<void>(FloatValues(rows.numbers));  // its checks
+    if constexpr (std::same_as<Value, float>) static_cast<void>(FloatValues(rows.numbers));  // for its checks
     for (const double number : rows.numbers)
       table.values.push_back(static_cast<Value>(std::isnan(number) ? kHarmless : number));
   }
 }
 
-// Does the cell that begins at entry e lack a corner? It is the last of its row or rows where it is no cell.
+// Does the cell that begins at entry e lack a corner? So does the last entry of a row, which begins no cell.
 bool lacks_corner(const Rows& rows, std::size_t e) {
   if (e + rows.stride + 1 >= rows.numbers.size()) return true;
   return std::isnan(rows.numbers[e]) || std::isnan(rows.numbers[e + 1]) ||
@@ -97,7 +97,7 @@ PackedTable<CubeGnomonic, Value> packed_table(const RadialTable<CubeGnomonic>& f
   lanes.divisions = n;
   store(rows, lanes);
   const auto start_of = [n](std::size_t cell) {
-    const std::size_t row = cell / n;  // of cells, over all faces
+    const std::size_t row = cell / n;  // row of cells, counted over all faces
     return (row + row / n) * (n + 1) + cell % n;
   };
   mask(rows, table.rim_cells(), table.scheme().cells(), start_of, lanes);

@@ -9,7 +9,7 @@
 namespace impinge {
 namespace {
 
-// See the header.
+// See the roundings in the header.
 constexpr double kRadiiInBound = 4.0;  // each off by the doubt of a plane
 constexpr double kOwnRounding = 1.0 + 500.0 * 0x1p-53;
 
@@ -55,7 +55,7 @@ Interval lengths(const PatchView& view) {
   return all;
 }
 
-// |v . x'| over the rectangle in one direction, x' times its width.
+// |v . x'| over the rectangle along one coordinate; x' is the derivative times the width.
 class Rate {
  public:
   Rate(const PatchView& view, std::size_t k) : inset_(view.inset[k]) {
@@ -73,13 +73,13 @@ class Rate {
     aside_ = 0.5 * (m.turn[k] + square(m.way[k])) + 0.25 * (m.turn[1 - k] + square(m.way[1 - k])) +
              m.kink[0] + m.kink[1];
   }
-  // The largest.
+  // Its largest value.
   double along(const Vec3& v) const {
     const double length = v.norm();
     const double chord = std::max(std::abs(v.dot(chord_[0])), std::abs(v.dot(chord_[1])));
     return std::min(chord + length * aside_, length * most_) * (1.0 + 2.0 * inset_);
   }
-  // At most the sum over all places of one line where v . x changes its sign. See the header.
+  // Upper bound on its sum over all places of one line where v . x changes its sign, by Theorem 2 (table).
   double crossings(const Vec3& v) const { return std::max(along(v), v.norm() * change_); }
 
  private:

@@ -11,7 +11,7 @@ std::vector<Vec3> polar_directions(double within, std::size_t count) {
   const double golden = kPi * (3.0 - std::sqrt(5.0));
   std::vector<Vec3> directions(count);
   for (std::size_t k = 0; k < count; ++k) {
-    // Equal areas: sin(phi / 2)^2 grows evenly.
+    // For equal areas sin(phi / 2)^2 grows evenly.
     const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(count);
     const double phi = 2.0 * std::asin(std::sin(0.5 * within) * std::sqrt(share));
     const double theta = golden * static_cast<double>(k);

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rim mask: which cells of a table the edge of a surface crosses.
+// Makes the rim mask: finds the cells of a table that the edge of a surface crosses, by Theorem 4 (rim).
 //
-// Finds every cell that an edge enters by more than rounding, however the borders of cells bend. The edge
-// is halved in angle until each part surely meets every cell in one stretch (HasKnownBorders in
-// sphere/scheme.hpp); along such a part the places where the cell changes are found by halving, one after the
-// other. A part shorter than kRimPlace is not halved any more: a border that bends by k cuts less than k
-// kRimPlace^2 off it. Each edge is followed twice, at kBesideEdge on either side, against rounding. The only
-// cell that may be missed is narrower than that and runs along the edge; its neighbours read across it and
-// it is marked with them. Theorem 4 (rim).
+// It finds every cell that an edge enters by more than rounding, however the borders of cells bend. Each edge
+// is followed twice, at kBesideEdge on either side, against rounding. It is halved in angle until each part
+// surely meets every cell in one stretch (HasKnownBorders in sphere/scheme.hpp) or is shorter than kRimPlace:
+// a border of curvature k cuts less than k kRimPlace^2 off such a part. Along a part the places where the
+// cell changes are found by halving, one after the other. Only a cell that is narrower than that and runs
+// along the edge may be missed; it is marked with its neighbours, which read across it.
 //
-// In a scheme that does not declare the borders of its cells, entries beside an edge lose their surface.
+// If a scheme does not declare the borders of its cells, entries beside an edge lose their surface.
 #pragma once
 
 #include <algorithm>
@@ -30,23 +29,22 @@
 
 namespace impinge {
 
-/// An edge may run along the border of two cells, both of which it then separates: it is followed at this
-/// distance on either side, radians.
+/// How far beside an edge it is followed, on either side, radians. If it runs along the border of two cells,
+/// both are found.
 inline constexpr double kBesideEdge = 1e-9;
 
-/// A change of cell is traced to within this, radians: far less than how far beside the edge it is followed.
+/// How exactly a change of cell is located, radians: far below kBesideEdge.
 inline constexpr double kRimPlace = 1e-12;
 
 /// A piece of a straight line, and the angle between the directions of its ends.
 struct RimPart {
   Vec3 first;    // mm
   Vec3 last;     // mm
-  double angle;  // radians, or more
+  double angle;  // radians; rounded up
 };
 
-/// The cross product, each component within two units of its last place: both terms of a difference are exact
-/// (Kahan; Jeannerod, Louvet and Muller 2013). So the plane of two points that are all but opposite keeps its
-/// digits.
+/// The cross product, each component within two units of its last place, by Kahan's difference of products
+/// (Jeannerod, Louvet and Muller 2013). So the plane of two points that are nearly opposite keeps its digits.
 inline Vec3 accurate_cross(const Vec3& a, const Vec3& b) {
   const auto difference = [&](Eigen::Index i, Eigen::Index k) {
     const double product = a[k] * b[i];
@@ -55,11 +53,11 @@ inline Vec3 accurate_cross(const Vec3& a, const Vec3& b) {
   return {difference(1, 2), difference(2, 0), difference(0, 1)};
 }
 
-/// The direction across an edge, unit; 0 where the centre sees it as one or two points.
+/// The unit vector across an edge, as the centre sees it; 0 if it sees the edge as one or two points.
 inline Vec3 across(const Vec3& from, const Vec3& to) { return accurate_cross(from, to).stableNormalized(); }
 
-/// The point of the line through both that is nearest to the centre. Nearer than 1e-60 of their distance it
-/// is put there, in its direction, so that its square is a number.
+/// The point of the line through both that is nearest to the centre, mm. If it is nearer than 1e-60 of their
+/// distance it is moved out to there, so that its square does not underflow.
 inline Vec3 nearest_to_centre(const Vec3& first, const Vec3& last) {
   const Vec3 along = last - first;
   const Vec3 normal = accurate_cross(first, last);
@@ -67,9 +65,9 @@ inline Vec3 nearest_to_centre(const Vec3& first, const Vec3& last) {
   return radius * along.normalized().cross(normal.stableNormalized());
 }
 
-/// Both halves: the ray that halves the angle between two points divides the line between them as their
-/// distances from the centre. Where they are all but opposite, that sum has lost its digits: the line, which
-/// passes near the centre then, is parted where it is nearest to it, and not in equal angles.
+/// The two halves of a part. The ray that halves the angle between two points divides the line between them
+/// in the ratio of their distances from the centre. If they are nearly opposite this loses its digits; then
+/// the line is parted where it is nearest to the centre, not in equal angles.
 inline std::array<RimPart, 2> halves(const RimPart& part) {
   const double near = part.first.norm();
   const double far = part.last.norm();
@@ -82,15 +80,15 @@ inline std::array<RimPart, 2> halves(const RimPart& part) {
   return {{{part.first, middle, 0.5 * part.angle}, {middle, part.last, 0.5 * part.angle}}};
 }
 
-/// The line from `from` to `to`, each of its points x moved by |x| `aside`. It does not lead through the
+/// The line from `from` to `to`, with each of its points x moved by |x| `aside`. It must not lead through the
 /// centre itself.
 struct RimLine {
   Vec3 from;                  // mm
   Vec3 to;                    // mm
   Vec3 aside = Vec3::Zero();  // across, radians
 
-  RimPart whole() const { return {from, to, angle_between(from, to)}; }  // not moved
-  Vec3 moved(const Vec3& x) const { return x + x.norm() * aside; }       // a point of it, mm
+  RimPart whole() const { return {from, to, angle_between(from, to)}; }  // without the move
+  Vec3 moved(const Vec3& x) const { return x + x.norm() * aside; }       // where the move takes x, mm
 };
 
 /// Follows a straight line from cell to cell.
@@ -105,20 +103,20 @@ class RimTrace {
         entered_(line.first),
         here_(scheme.stencil(line.first)) {}
 
-  /// From one end to the other, once.
+  /// Follows the line from one end to the other. To be called once.
   void run() {
     follow(line_);
     visit_(here_, entered_, line_.last);
   }
 
  private:
-  /// In parts that meet each cell in one stretch, or are too short to matter.
+  /// Divides a part until each piece meets every cell in one stretch, or is too short to matter.
   void follow(const RimPart& part) {
     if (part.angle < kRimPlace || meets_cells_once(scheme_, part.first, part.last)) return find_changes(part);
     for (const RimPart& half : halves(part)) follow(half);
   }
 
-  /// Where the line leaves the cell that it is in is found by halving.
+  /// Finds by halving where the line leaves the cell that it is in, until the end of the part.
   void find_changes(RimPart part) {
     const std::size_t last_cell = scheme_.stencil(part.last).cell;
     while (here_.cell != last_cell) {
@@ -140,10 +138,10 @@ class RimTrace {
   Stencil here_;
 };
 
-/// Calls visit(stencil, first, last) once for each stretch of the line within one cell, in order, with its
-/// ends. No cell is left out in which the line is deeper than rounding. A line moved aside is taken as
-/// straight for at most an eighth of a turn, no farther than 1.09 `aside` from the edge; longer ones are
-/// halved. `part` is of the line.
+/// Calls visit(stencil, first, last) once for each stretch of the line within one cell, in order, with the
+/// ends of the stretch. No cell is left out that the line enters by more than rounding. `part` is the part of
+/// the line to follow. A line that is moved aside counts as straight over an eighth of a turn at most, which
+/// is no farther than 1.09 `aside` from the edge; longer parts are halved.
 template <class S, class Visit>
 void for_each_cell_along(const S& scheme, const RimLine& line, const RimPart& part, Visit&& visit) {
   if (part.angle > 0.25 * kPi && !line.aside.isZero(0.0)) {
@@ -153,13 +151,13 @@ void for_each_cell_along(const S& scheme, const RimLine& line, const RimPart& pa
   const RimLine straight{line.moved(part.first), line.moved(part.last)};
   RimTrace<S, std::remove_reference_t<Visit>>(scheme, straight.whole(), visit).run();
 }
-/// Along the whole line.
+/// The same along the whole line.
 template <class S, class Visit>
 void for_each_cell_along(const S& scheme, const RimLine& line, Visit&& visit) {
   for_each_cell_along(scheme, line, line.whole(), visit);
 }
 
-/// The least distance from the centre of a stretch of a line, mm.
+/// The least distance of a stretch of a line from the centre, mm.
 inline double least_radius(const Vec3& first, const Vec3& last) {
   const Vec3 along = last - first;
   const double length = along.squaredNorm();
@@ -170,13 +168,13 @@ inline double least_radius(const Vec3& first, const Vec3& last) {
 inline double largest_radius(const Vec3& first, const Vec3& last) {
   return std::max(first.norm(), last.norm());
 }
-/// The one of both, mm, at which a stretch is most likely to belong to the layer.
+/// Of these two the distance, mm, at which a stretch is most likely to belong to the layer.
 inline double radius_to_be_seen(const Vec3& first, const Vec3& last, Layer layer) {
   return layer == Layer::nearest ? least_radius(first, last) : largest_radius(first, last);
 }
 
-/// By how much ln r would have to change from a filled tap, the most favourable one, to the edge for the edge
-/// to belong to the layer; 0 or less if it already does. `radius` is that of the edge in the cell, mm.
+/// By how much ln r must change from some filled tap to the edge if the edge is to belong to the layer: the
+/// least over the taps, 0 or less if no change is needed. `radius` is the radius of the edge in the cell, mm.
 template <class Table>
 double change_to_be_seen(const Table& table, const Stencil& stencil, double radius, Layer layer) {
   double least = std::numeric_limits<double>::infinity();
@@ -188,8 +186,8 @@ double change_to_be_seen(const Table& table, const Stencil& stencil, double radi
   return least;
 }
 
-/// Calls visit(stencil) for the cells that may read a tap across the cell of `at`: itself, and those that a
-/// scheme whose taps reach beyond the corners of a cell names in for_each_cell_across().
+/// Calls visit(stencil) for the cells that may read a tap across the cell of `at`: this cell and, if the taps
+/// of the scheme reach beyond the corners of a cell, the cells of its for_each_cell_across().
 template <class S, class Visit>
 void for_each_cell_reading(const S& scheme, const Stencil& at, Visit&& visit) {
   visit(at);
@@ -197,8 +195,8 @@ void for_each_cell_reading(const S& scheme, const Stencil& at, Visit&& visit) {
 }
 
 /// Does the cell read two or more filled entries, which a rim could separate? (One alone is not mixed with
-/// anything; an empty entry silences its cell, but not on the line between two others.) Also true of a cell
-/// that reads one entry only, which would answer for directions beyond the rim.
+/// anything; an empty entry silences its cell, but not on the line between two others.) Also true for a cell
+/// that reads one entry only, which would answer beyond the rim too.
 template <class Table>
 bool may_be_parted(const Table& table, const Stencil& stencil) {
   return std::count_if(stencil.entry.begin(), stencil.entry.begin() + stencil.taps,
@@ -208,11 +206,11 @@ bool may_be_parted(const Table& table, const Stencil& stencil) {
 
 /// An edge in a cell that seems hidden behind the layer, judged by the faces at the edge alone.
 struct DoubtfulRim {
-  Stencil reader;  // of the cell, by the entries that it reads
-  double slope;    // tan psi that a face within the reach of a tap needs for the edge to be seen
+  Stencil reader;  // of the cell
+  double slope;    // the edge is seen only if a face within reach of a tap has this tan psi
 };
 
-/// Marks the doubtful cells next to steep faces: in a cell without a rim the layer changes by at most exp(T
+/// Marks the doubtful cells next to steep faces. In a cell without a rim the layer changes by at most exp(T
 /// s) between a tap and any direction, s the stencil radius and T the largest tan psi within s of the tap.
 template <class Table>
 void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& doubtful, Table& table) {
@@ -244,8 +242,8 @@ void mask_doubtful(const TriangleMesh& mesh, const std::vector<DoubtfulRim>& dou
 }
 
 /// For a scheme that does not declare the borders of its cells: takes the surface from every entry within the
-/// stencil radius of an edge. No direction reads an entry that is farther away than that, so that none reads
-/// one across an edge.
+/// stencil radius of an edge. As no direction reads an entry farther away than that, none reads across an
+/// edge.
 template <class Table>
 void forget_beside(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, Table& table) {
   const auto& walker = walker_of(table.scheme());
@@ -256,7 +254,7 @@ void forget_beside(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh,
   }
 }
 
-/// Marks the cells that one side of an edge parts, or puts them down as doubtful.
+/// Marks the cells that the line along one side of an edge parts, or adds them to `doubtful`.
 template <class Table>
 void mask_along(const JumpEdge& edge, const RimLine& line, Layer layer, Table& table,
                 std::vector<DoubtfulRim>& doubtful) {
@@ -275,7 +273,7 @@ void mask_along(const JumpEdge& edge, const RimLine& line, Layer layer, Table& t
   });
 }
 
-/// Calls visit(edge, line) for either side of each edge, but for those that the centre sees as one or two
+/// Calls visit(edge, line) for both sides of each edge, except edges that the centre sees as one or two
 /// points.
 template <class Visit>
 void for_each_side(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, Visit&& visit) {
@@ -301,9 +299,9 @@ void mask_crossed(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, 
   mask_doubtful(mesh, doubtful, table);
 }
 
-/// Marks every cell in which the surface ends or jumps between the entries that it reads, for these of the
-/// jump edges of the mesh. A table is one that has radius_of(), keeps(), forget(), scheme() and a rim mask;
-/// cells that read an entry that it does not keep are never asked, and are left out.
+/// Marks every cell in which the surface ends or jumps, at these of the jump edges of the mesh, between the
+/// entries that the cell reads. `Table` has radius_of(), keeps(), forget(), scheme() and a rim mask. Cells
+/// that read an entry that it does not keep are left out.
 template <class Table>
 void mask_rim_along(const std::vector<JumpEdge>& edges, const TriangleMesh& mesh, Layer layer, Table& table) {
   const auto& scheme = table.scheme();

@@ -12,7 +12,7 @@
 namespace impinge {
 namespace {
 
-// Each level is for caps that much smaller than those of the level before.
+// Each level is for caps smaller by this factor than in the level before.
 constexpr double kFiner = 0.25;
 constexpr double kMostBins = 512.0;
 
@@ -32,11 +32,11 @@ void SurfaceIndex::find_planes(const TriangleMesh& mesh) {
   for (const Face& face : mesh.faces) planes_.push_back(surface_plane(cone_of(mesh, face)));
 }
 
-// Bins as wide as the caps.
+// Makes a level whose bins are as wide as the caps.
 SurfaceIndex::Level SurfaceIndex::make_level(double reach) const {
   const double divisions = std::clamp(std::round(2.0 / reach), 2.0, kMostBins);
   Level level{DirectionIndex(CubeGnomonic::with_precision(90.0 / divisions)), reach};
-  // A direction's bin is its heaviest tap, within the stencil radius of it.
+  // The bin of a direction is its heaviest tap, which is within the stencil radius.
   const double margin = (level.bins.grid().stencil_radius() + reach) * (1.0 + 1e-9);
   for (std::size_t f = 0; f < planes_.size(); ++f)
     level.bins.add(f, planes_[f].cone, margin, [](std::size_t, const Vec3&) { return true; });
@@ -44,7 +44,7 @@ SurfaceIndex::Level SurfaceIndex::make_level(double reach) const {
   return level;
 }
 
-// Down to the size of the faces.
+// Makes levels down to the size of the faces.
 void SurfaceIndex::find_levels() {
   const double face = std::sqrt(4.0 * kPi / static_cast<double>(planes_.size() + 1));
   double reach = reach_;
@@ -59,7 +59,7 @@ const SurfaceIndex::Level& SurfaceIndex::level_for(double angle) const {
   return levels_[k];
 }
 
-// The largest difference of the planes of two of these faces.
+// The largest difference of q between two of these faces.
 Vec3 SurfaceIndex::largest_jump(std::span<const HalfEdge> sides) const {
   Vec3 jump = Vec3::Zero();
   for (std::size_t a = 0; a < sides.size(); ++a) {
@@ -87,7 +87,7 @@ void SurfaceIndex::find_kinks(const TriangleMesh& mesh) {
   kinks_of_face_ = Lists(planes_.size(), pairs);
 }
 
-// Two faces with a common direction are both in the bin of it.
+// Two faces with a common direction are both in the bin of that direction.
 void SurfaceIndex::find_overlaps() {
   const DirectionIndex& bins = levels_.back().bins;
   std::vector<Lists::Pair> pairs;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a table interpolates, patch by patch, for table_bound.hpp: y = r for a RadialTable and y = 1 / (r
-// depth) for an InverseDepthTable.
+// The quantity y that a table interpolates, patch by patch, for table_bound.hpp: y = r for a RadialTable, y =
+// 1 / (r depth) for an InverseDepthTable.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 
 namespace impinge {
 
-/// A tap without a surface is ignored below this weight, which comes of rounding or the inset of a corner.
+/// A tap without a surface is ignored if its weight is below this, as from rounding or the inset of a corner.
 inline constexpr double kNegligibleWeight = 1e-6;
 
-/// Interpolated value, NaN where a tap that counts has none.
+/// The interpolated value; NaN if a tap that counts has none.
 inline double interpolated(const Stencil& stencil, std::span<const double> taps) {
   double sum = 0.0;
   double weights = 0.0;
@@ -31,7 +31,7 @@ inline double interpolated(const Stencil& stencil, std::span<const double> taps)
   return sum / weights;
 }
 
-/// The least and the largest tap of a stencil; infinite, least above largest, where none has a value.
+/// The least and the largest tap of a stencil; infinite, with least above largest, if none has a value.
 inline void range_of_taps(const Stencil& stencil, std::span<const double> taps, double& least,
                           double& largest) {
   least = std::numeric_limits<double>::infinity();
@@ -53,14 +53,14 @@ class SmoothInterpolant {
   /// The table and its scheme's patches_of().
   SmoothInterpolant(const RadialTable<S>& table, const Patches& patches) : table_(table), patches_(patches) {}
 
-  const RadialTable<S>& table() const { return table_; }  // that interpolates
-  const Patches& patches() const { return patches_; }     // on each of which y is bilinear
+  const RadialTable<S>& table() const { return table_; }
+  const Patches& patches() const { return patches_; }  // Y is bilinear on each of them
 
   /// The cell whose taps answer for x.
   std::size_t cell(const Vec3& x) const { return table_.scheme().stencil(x).cell; }
   /// Is there any answer in the cell of x?
   bool answers(const Vec3& x) const { return !table_.is_rim_cell(cell(x)); }
-  /// Y at x, NaN where it has none.
+  /// Y at x; NaN if it has none.
   double value(const Vec3& x) const { return interpolated(table_.scheme().stencil(x), table_.radii()); }
   /// Least and largest tap of the stencil at x.
   void tap_range(const Vec3& x, double& least, double& largest) const {
@@ -72,7 +72,7 @@ class SmoothInterpolant {
   const Patches& patches_;
 };
 
-/// Y = 1 / (r depth) of an InverseDepthTable, likewise, on the flat patches of its scheme.
+/// Y = 1 / (r depth) of an InverseDepthTable, on the flat patches of its scheme. Keeps references to both.
 template <PlaneExactScheme S, class Patches>
 class PlaneExactInterpolant {
  public:
@@ -81,14 +81,14 @@ class PlaneExactInterpolant {
   PlaneExactInterpolant(const InverseDepthTable<S>& table, const Patches& patches)
       : table_(table), patches_(patches) {}
 
-  const InverseDepthTable<S>& table() const { return table_; }  // that interpolates
-  const Patches& patches() const { return patches_; }           // on each of which y is bilinear
+  const InverseDepthTable<S>& table() const { return table_; }
+  const Patches& patches() const { return patches_; }  // Y is bilinear on each of them
 
   /// As in SmoothInterpolant.
   std::size_t cell(const Vec3& x) const { return table_.scheme().plane_stencil(x).cell; }
   /// As in SmoothInterpolant.
   bool answers(const Vec3& x) const { return !table_.rim_cells().contains(cell(x)); }
-  /// Y at x; NaN also beside the curved border of a cell that a rim crosses, where the table has no answer.
+  /// Y at x; NaN if the table has no answer, as beside the curved border of a cell that a rim crosses.
   double value(const Vec3& x) const {
     if constexpr (!S::kFlatCells) {
       if (table_.rim_cells().contains(table_.scheme().stencil(x).cell)) return kNoSurface;

@@ -109,8 +109,9 @@ TEST_F(JointWarnings, ContactAsScannedIsSaidOfEveryQuestion) {
     ASSERT_EQ(lines.size(), 1U);
     const std::string& line = lines[0];
     EXPECT_EQ(line.rfind("ball and socket touch as scanned, 0.2", 0), 0U) << line;
-    EXPECT_NE(line.find(" o'clock: what begins there is blocked; check the centre"), line.npos) << line;
-    EXPECT_NE(line.find("; --ignore-rest-contact asks for what comes on top"), line.npos) << line;
+    EXPECT_NE(line.find(" o'clock: every motion that begins there is blocked; check the centre"), line.npos)
+        << line;
+    EXPECT_NE(line.find("; --ignore-rest-contact accepts it"), line.npos) << line;
   }
 }
 
@@ -165,7 +166,7 @@ TEST_F(JointWarnings, AGapBelowWhatIsAskedForIsSaidOfThatQuestionAlone) {
   const Lines lines = said(scan_contact_of(limits));
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].rfind("the smallest gap as scanned is 2.9", 0), 0U) << lines[0];
-  EXPECT_NE(lines[0].find("not above the 4 mm of --cartilage: what asks for a gap of that size is blocked"),
+  EXPECT_NE(lines[0].find("not above the 4 mm of --cartilage: every limit for that gap is blocked"),
             std::string::npos)
       << lines[0];
   limits.cartilage_mm = 2.0;

@@ -8,7 +8,7 @@
 //
 // Copied to libcore/sphere/schemes/ it is in every experiment, test, plot and table. The class has the file's
 // name with a capital for each word: ExampleScheme in example_scheme.hpp. What more a scheme may tell, for
-// speed and for tighter bounds, is in sphere/scheme.hpp; without it all the same holds.
+// speed and for tighter bounds, is in sphere/schemes/README.md; without it all the same holds.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ class ExampleScheme {
  public:
   static constexpr std::string_view name = "example_scheme";           // as in file names and CSVs
   static constexpr std::string_view label = "Example scheme";          // as in legends
-  static constexpr std::string_view citation = "thesis, Section 3.1";  // as in the paper's table
+  static constexpr std::string_view citation = "thesis, Section 3.1";  // as in the papers' table
 
   // A default, and one for a spacing at the equator. std::invalid_argument where there is none.
   ExampleScheme() = default;

@@ -50,8 +50,8 @@ REFUSED = {
     "--pose: it leaves no room for flexion within 180 degrees; begin with a smaller angle": ["certify --motion flexion --pose flexion=180"],
     "--poses: they are asked for by a file, or by a path of angles; give one of poses and path": ["poses", "poses --path flexion=0 --poses f.csv"],
     "--require: a required motion turns something; give one, as flexion=90,internal_rotation=30": ["orient", "resect --require flexion=0"],
-    "--rim: is of a cut of the socket; cut the socket, or leave it out": ["resect --require flexion=90 --rim 3"],
-    "--neck: is of a cut of the ball; cut the ball, or leave it out": ["resect --require flexion=90 --cut socket --neck 20"],
+    "--rim: applies only to a cut of the socket; cut the socket, or leave it out": ["resect --require flexion=90 --rim 3"],
+    "--neck: applies only to a cut of the ball; cut the ball, or leave it out": ["resect --require flexion=90 --cut socket --neck 20"],
     "--side: abduction and rotation need to know it; give left or right": [
         "touch --pose abduction=10", "gaps --pose internal_rotation=10", "limits --cartilage 0", "poses --path abduction=0..9/1",
         "certify --motion abduction", "resect --require abduction=10",

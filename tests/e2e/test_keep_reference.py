@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import collections
 import csv
 import hashlib
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -13,6 +15,9 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "analysis" / "common"))
+from tally import NOT_COUNTED  # noqa: E402
+
 RECORD = {
     "profile": "full",
     "commit": "0123456789abcdef",
@@ -143,6 +148,30 @@ class KeepReference(unittest.TestCase):
         self.assert_refused("/elsewhere", "--build")
         (self.build / "graph" / "jobs.json").unlink()
         self.assert_refused(str(self.build), "--build")
+
+
+def readme() -> str:
+    """Of the project, its lines joined."""
+    return " ".join((ROOT / "README.md").read_text().split())
+
+
+class Kept(unittest.TestCase):
+    """The run that is kept, and what the project's README says of it."""
+
+    def test_counts_of_the_readme(self):
+        with (ROOT / "results" / "reference" / "verdicts.csv").open(newline="") as file:
+            found = collections.Counter(row["verdict"] for row in csv.DictReader(file) if not row["rule"].startswith(NOT_COUNTED))
+        counts = [found[verdict] for verdict in ("reproduced", "differs", "thesis-misprint")]
+        said = r"of the (\d+) numbers [^.]*? could compare, (\d+) are reproduced, (\d+) differ and (\d+) (?:is a misprint|are misprints)"
+        words = re.search(said, readme())
+        self.assertEqual([int(word) for word in words.groups()], [sum(counts), *counts])
+
+    def test_cohort_of_the_readme(self):
+        """Internal rotation of all hips, above that of the published controls."""
+        with (ROOT / "results" / "reference" / "cohort" / "comparison.csv").open(newline="") as file:
+            table = {row["statistic"]: row for row in csv.DictReader(file)}
+        above = float(table["internal rotation at 90, mean"]["ours"]) - float(table["internal rotation at 90, controls"]["published"])
+        self.assertIn(f"a generated cohort is {above:.0f} degrees above the published one", readme())
 
 
 if __name__ == "__main__":

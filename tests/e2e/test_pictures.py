@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -23,6 +24,7 @@ import common  # noqa: E402
 from common import diagram_chart, diagram_section, hip, motion_limits, ply, render, replay, socket_map  # noqa: E402
 from common.drawing import plt  # noqa: E402
 from paper import limits as paper_limits  # noqa: E402
+from paper import theorems, whole  # noqa: E402
 from verdicts import hip as verdicts_hip  # noqa: E402
 
 
@@ -115,6 +117,33 @@ class Limits(unittest.TestCase):
             facts = paper_limits.facts(Path())
         wanted = {"count": "3", "widest": "1", "interval:most": "20", "unbounded": "1"}
         self.assertEqual({name: facts[f"limits:{name}"] for name in wanted}, wanted)
+
+
+class Papers(unittest.TestCase):
+    """Facts that the papers print."""
+
+    def test_theorems(self):
+        """Numbers are those of proofs.tex; each has headers and tests."""
+        facts = theorems.facts(Path())
+        labels = re.findall(r"\\begin\{theorem\}\[.*?\]\\label\{thm:(.*?)\}", (ROOT / "paper" / "proofs.tex").read_text())
+        self.assertEqual([facts[f"theorem:{label}"] for label in labels], [str(k + 1) for k in range(len(labels))])
+        for label in labels:
+            self.assertRegex(facts[f"where:thm:{label}"], r"^In [\w/]+\.hpp.*\. Tests: Theorem\w+\.\.\. \([1-9]\d*\)\.$")
+
+    def test_whole_bones(self):
+        """Of real joints where there are any, and else of the generated hip; misses by step."""
+        columns = ["joint", "faces", "method", "step_deg", "motions", "asked", "missed", "largest_error_deg", "times_ours", "total_ms"]
+        rows = []
+        for joint, faces, ms in (("normal hip, cropped", 6000, 40.0), ("needle past spikes", 6000, 40.0), ("implant", 8000, 20.0), ("a_hip", 60000, 110.0), ("b_hip", 120000, 270.0)):
+            missed = 9 if joint.startswith("needle") else 0
+            rows += [(joint, faces, "turn_limit", np.nan, 12, 12, 0, 0.0, 1.0, ms), (joint, faces, "turn_limit_ranges", np.nan, 12, 12, 0, 0.0, 2.0, 2 * ms)]
+            rows += [(joint, faces, "fcl_collide", step, 12, 12, missed, 0.002, 10 / step, ms * 10 / step) for step in (5, 0.1)]
+        table = pd.DataFrame(rows, columns=columns)
+        facts = whole.limits(table)
+        self.assertEqual(facts["whole:scene"], "the whole bones of 2 real joints of 60,000 to 120,000 faces")
+        self.assertEqual((facts["whole:ours"], facts["whole:steps"]), ("0.11 to 0.27 s", "FCL in steps of 0.1° takes 100 times as long."))
+        self.assertIn("of 12 contacts it misses 9 in steps of 5°, 9 in steps of 0.1°", facts["whole:all"])
+        self.assertEqual(whole.limits(table[~table.joint.str.endswith("_hip")])["whole:scene"], "a generated hip of 6,000 faces")
 
 
 class GapDifference(unittest.TestCase):

@@ -28,6 +28,7 @@ BONES = os.environ.get("IMPINGE_BONES", "")
 sys.path[:0] = [str(ROOT / "experiments"), str(Path(__file__).resolve().parent)]
 import graph  # noqa: E402
 import kept_numbers  # noqa: E402
+import tally  # noqa: E402
 
 THESIS_TABLES = [f"table-{n}" for n in range(1, 14)]
 BORROWED = {*range(2, 13), *range(14, 25), 43, 51}  # "reproduced from" others, by their captions in the thesis
@@ -69,6 +70,11 @@ def rows(file: Path) -> list[dict[str, str]]:
     """The lines of a CSV."""
     with file.open(newline="") as stream:
         return list(csv.DictReader(stream))
+
+
+def pdf_text(file: Path) -> str:
+    """The words of a PDF, in the order in which they were written."""
+    return subprocess.run(["pdftotext", "-raw", str(file), "-"], check=True, capture_output=True, text=True).stdout
 
 
 def said_besides(row: dict[str, str]) -> list[float]:
@@ -141,7 +147,7 @@ class Reproduce(unittest.TestCase):
         self.assertIn("nothing to do", done.stdout)
 
     def test_d_same_bytes_when_made_again(self):  # nightly
-        """Whatever holds no time is the same to the byte: tables of memory, figures, paper, for the same
+        """Whatever holds no time is the same to the byte: tables of memory, figures, papers, for the same
         data. Of real joints the first stands for all, as one script draws them.
         """
         others = [joint.name for joint in joints()[1:]]
@@ -150,14 +156,14 @@ class Reproduce(unittest.TestCase):
             "tables/*",
             "figures/*",
             "verdicts.csv",
-            "paper.pdf",
+            "paper-*.pdf",
             "scenes/*/*.ply",
         ]
         before = bytes_of(*patterns)
         for file in [
             *(file for file in RESULTS.glob("tables/*") if file.name not in MEASURED_TABLES),
             *(file for file in RESULTS.glob("figures/*") if not any(name in file.name for name in others)),
-            RESULTS / "paper.pdf",
+            *RESULTS.glob("paper-*.pdf"),
             RESULTS / "verdicts.csv",
             RESULTS / "data" / "lut_memory.csv",
             RESULTS / "scenes" / "generated" / "ball.ply",
@@ -173,7 +179,7 @@ class Reproduce(unittest.TestCase):
         self.assertEqual(len(artefacts), len(set(artefacts)))
         made = [artefact for job in promised().values() for artefact in job.artefacts]
         self.assertEqual(artefacts, made)
-        self.assertLessEqual({*THESIS_TABLES, "verdicts", "findings", "report", "paper", "joint3d", "lut_memory"}, {*made})
+        self.assertLessEqual({*THESIS_TABLES, "verdicts", "findings", "report", *graph.PAPERS, "joint3d", "lut_memory"}, {*made})
         self.assertEqual(
             sum("script" in line and "experiment" in line and "about" in line for line in lines),
             len(artefacts),
@@ -295,13 +301,30 @@ class Reproduce(unittest.TestCase):
         self.assertEqual(figures - {Path(link).stem for link in links}, set())
         self.assertGreater(page.count("<img"), 40)
 
-    def test_k_paper_has_its_numbers(self):
-        """Text of the PDF: entries of Table 7, and no fact left open."""
-        text = subprocess.run(
-            ["pdftotext", str(RESULTS / "paper.pdf"), "-"], capture_output=True, text=True
-        ).stdout
-        self.assertIn("21,013,056", text)
-        self.assertNotIn("??", text)
+    def test_k_papers_have_the_numbers_of_the_report(self):
+        """Text of the PDFs: no fact left open, a draft says so on page 1, and counts are those of verdicts.csv and of the report."""
+        said = {name: " ".join(pdf_text(RESULTS / f"{name}.pdf").split()) for name in graph.PAPERS}
+        report = re.sub(r"<[^>]*>", "", (RESULTS / "report.html").read_text())
+        for name, text in said.items():
+            self.assertNotIn("??", text, name)
+            self.assertRegex(text[:1500], r"Draft\. Every number here is of a quick run", name)
+        verdicts = tally.counts(rows(RESULTS / "verdicts.csv"))
+        computed, measured = verdicts["computed"], verdicts["measured"]
+        text = said["paper-reproduction"]
+        for words in (
+            f"Of {computed.total()} numbers that follow from formulas we reproduce {computed['reproduced']}.",
+            f"Of {measured.total()} that are measured {measured['reproduced']} are reproduced, {measured['differs']} differ, "
+            f"{measured['inconclusive']} are inconclusive",
+            "21,013,056",  # of Table 7
+        ):
+            self.assertIn(words, text)
+        self.assertIn(f"Of {len(rows(RESULTS / 'tables' / 'findings.csv'))} statements that we test", text)
+        self.assertIn(f"Of {len(rows(RESULTS / 'tables' / 'findings.csv'))} that were computed", report)
+        kernel = r"Without the mask of the rim it would be [\d.]+ times as fast"
+        self.assertEqual(re.findall(kernel, text), re.findall(kernel, report)[:1])
+        labels = re.findall(r"\\begin\{theorem\}", (ROOT / "paper" / "proofs.tex").read_text())
+        numbers = [int(number) for text in said.values() for number in re.findall(r"Theorem (\d+) \([A-Z][\w ]*\)\.", text)]
+        self.assertEqual(sorted(numbers), [*range(1, len(labels) + 1)])  # each in one of the two, as claims.md numbers them
 
     def test_l_sidecars(self):
         """Each CSV has one, with its hash and where it comes from."""

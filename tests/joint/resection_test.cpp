@@ -80,14 +80,14 @@ TEST(SessionRimResection, IsNoLeastCut) {
   ResectRequest least = asked_of_rim("flexion=20");
   least.least = true;
   EXPECT_EQ(thrown<std::invalid_argument>([&] { answer(session, least); }),
-            "least: is of a cut of the ball; cut the ball, or leave it out");
+            "least: applies only to a cut of the ball; cut the ball, or leave it out");
   least.neck_mm = 20.0;
   EXPECT_EQ(thrown<std::invalid_argument>([&] { answer(session, least); }),
-            "neck_mm: is of a cut of the ball; cut the ball, or leave it out");
+            "neck_mm: applies only to a cut of the ball; cut the ball, or leave it out");
   ResectRequest rim = asked("flexion=20");
   rim.rim_mm = 3.0;
   EXPECT_EQ(thrown<std::invalid_argument>([&] { answer(session, rim); }),
-            "rim_mm: is of a cut of the socket; cut the socket, or leave it out");
+            "rim_mm: applies only to a cut of the socket; cut the socket, or leave it out");
 }
 
 TEST(SessionResection, SaysThatTheBonesTouchBeforeAnyMotion) {

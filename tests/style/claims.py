@@ -91,9 +91,10 @@ class Claims:
                            if (where, name) in there and in_words(there[where, name]) not in proven]
 
     def page(self):
-        lines = ["# What is claimed", "", f"Made by `{Path(__file__).relative_to(ROOT)} --write` from [proofs.tex](proofs.tex), the headers that name a theorem, and the tests that are",
-                 "named for one; the test `style.claims` fails where a claim has no test, a test no claim, or this page is old. `ctest --preset release -R Theorem`",
-                 "runs all of them. Cases: those of `tests/run`, and at night; of a test without a number it says itself what it tries.", "",
+        lines = ["# What is claimed", "", "[README.md](README.md) leads along a row. `ctest --preset release -R Theorem` runs all tests. Cases: those of `tests/run`, and at",
+                 "night; of a test without a number it says itself what it tries.", "",
+                 f"Made by `{Path(__file__).relative_to(ROOT)} --write` from [proofs.tex](proofs.tex), the headers that name a theorem, and the tests that",
+                 "are named for one; the test `style.claims` fails where a claim has no test, a test no claim, or this page is old.", "",
                  "| claim | theorem | headers | tests: cases | data | command |", "| --- | --- | --- | --- | --- | --- |"]
         for label, told in self.theorems.items():
             headers = ", ".join(link(path) for path in dict.fromkeys(self.headers[label]))

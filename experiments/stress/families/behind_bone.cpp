@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bone that passes behind bone, on the far side from the centre: radii overlap, and nothing touches.
+// Bone passes behind bone, on the side away from the centre: radii overlap, but nothing touches.
 #include <array>
 
 #include "stress/known_turn.hpp"

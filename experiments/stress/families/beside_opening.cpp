@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A contact ever nearer to the border of an open mesh.
+// A contact comes ever nearer to the border of an open mesh.
 #include <array>
 
 #include "stress/known_turn.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array kAtBesideOpening{1.0, 1e-2, 1e-4, 1e-6, 1e-9, 1e-12};  // mm
 
-// The sheet that the tip meets, seen through a row of points as near to its border.
+// The sheet that the tip meets, seen along a row of directions as near to its border.
 StabilityScene beside_border(double beside_mm) {
   StabilityScene scene;
   scene.mesh = tip_beside_opening(0, beside_mm).bones.socket;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curves r = a + b cos(phi) whose b comes ever nearer to a, up to the cusp and beyond it.
+// Curves r = a + b cos(phi) with b ever nearer to a, up to the cusp and beyond.
 #include "curves/conchoid.hpp"
 
 #include <array>
@@ -15,23 +15,19 @@
 namespace impinge::lab {
 namespace {
 
-// Of the answers' relative errors in units of u; a, b and phi count as exact, so that each condition is 1 and
-// a formula that loses digits where a and b are alike has no excuse.
-//
+// Thresholds on relative errors in units of u. a, b and phi count as exact, so each condition is 1: a formula
+// must not lose digits where a and b are alike. The counted roundings are
 // radius: (a - b) + 2 b c^2 with c = cos(phi / 2), two positive terms; c is within 2 u, so 4 + 1 + 1, and 1
 // for the sum.
-//
 // speed: hypot(a - b, 2 sqrt(a b) c), 1.5 + 2 + 1, and 2 for hypot.
-//
 // length: R_F and R_D take about 40 steps of 10 roundings, each counted a quarter of the one before, hence 14
-// each; 6 for the modulus, of which half counts, and 10 for the sums and products of positive terms.
-//
+// each; 6 for the modulus, half of which counts, and 10 for the sums and products of positive terms.
 // area: the speed to the 5th power, 35; 12 more for the polynomials, all of positive terms.
 constexpr double kConchoidRadius = 7.0;
 constexpr double kSpeed = 6.5;
 constexpr double kLength = 41.0;
 constexpr double kArea = 47.0;
-// A root is within 4 eps = 8 u of where the computed function changes its sign, which is off by its error
+// A root is within 4 eps = 8 u of a sign change of the computed function. This is off by the function's error
 // times the condition of the inverse.
 constexpr double kRoot = 8.0;
 
@@ -48,7 +44,7 @@ struct Method {
   std::function<Precise(const PreciseConchoid&, double phi)> truth;
 };
 
-// Eq. 11 and 12 as they stand, which lose digits at phi = pi.
+// Eq. 11 and 12 as printed, which lose digits at phi = pi.
 double plain_radius(const ConchoidShape& shape, double phi) { return shape.a + shape.b * std::cos(phi); }
 double plain_speed(const ConchoidShape& shape, double phi) {
   const auto [a, b] = shape;
@@ -70,7 +66,7 @@ std::vector<Method> forward_methods() {
       {"speed_as_eq_12", "thesis", kSpeed, plain_speed, speed}};
 }
 
-// Evenly, and ever nearer to the cusp. pi itself is the double, a little less than the number.
+// Evenly spaced, and ever nearer to the cusp. The last is the double nearest to pi, which is a little less.
 std::vector<double> polar_angles(std::size_t even) {
   std::vector<double> phi;
   for (std::size_t k = 1; k < even; ++k)
@@ -100,7 +96,7 @@ StabilityCase forward(const Method& method, const ConchoidShape& shape, double a
   return row;
 }
 
-// An inverse: where the true function at the answer is off by e from what was asked, the answer is off by e
+// An inverse. If the true function at the answer is off by e from the wanted value, the answer is off by e
 // over the slope, to first order. Its condition is value / (phi slope).
 struct Inverse {
   std::string name;
@@ -115,7 +111,7 @@ StabilityCase backward(const Inverse& method, const ConchoidShape& shape, double
   StabilityCase row = start(away, method.name, "ours", kRoot + method.function_error);
   const PreciseConchoid curve(shape);
   for (const double phi : polar_angles(quick ? 12 : 60)) {
-    if (phi > kPi - 1e-4) continue;  // the slope goes to nothing and first order does not do
+    if (phi > kPi - 1e-4) continue;  // where the slope vanishes, first order does not suffice
     const double asked = method.value(shape, phi);
     const double answer = method.inverse(shape, asked);
     const Precise moment = method.slope(curve, answer) * answer;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface that a ray meets many times: not star-shaped, pleated ever deeper. The nearest layer is asked
+// A surface that a ray meets many times: not star-shaped, with ever more pleats. The nearest layer is asked
 // for.
 #include <array>
 
@@ -13,19 +13,18 @@ namespace impinge::lab {
 namespace {
 
 constexpr std::array<double, 6> kLayers{2.0, 3.0, 5.0, 8.0, 13.0, 20.0};
-constexpr long kAround = 12;    // faces about the axis are two for each of these
+constexpr long kAround = 12;    // half the number of faces about the axis
 constexpr double kFrom = 25.0;  // degrees from the axis
 constexpr double kTo = 65.0;
 constexpr std::size_t kFoldSteps = 3;  // of a layer, from one end to the other
 const Vec3 kAxis(1.0, 2.0, 2.0);
 
-// Point k of the pleated line in the half-plane of an axis: angle from it in degrees and distance from the
-// centre.
+// Point k of the pleated line in the half-plane of an axis: degrees from the axis, distance from the centre.
 std::array<double, 2> profile(std::size_t k) {
   const std::size_t layer = k / kFoldSteps;
   const double share = static_cast<double>(k % kFoldSteps) / kFoldSteps;
   const double forth = layer % 2 == 0 ? share : 1.0 - share;
-  // The way up to the next layer is in the last step of this one.
+  // The way up to the next layer is the last step of this one.
   return {kFrom + (kTo - kFrom) * forth, 20.0 + static_cast<double>(layer)};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ridge that only just grazes another on its way past it.
+// A ridge that just grazes another as it passes.
 #include <array>
 
 #include "stress/known_turn.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables so coarse that a cell is a large part of the sphere, and steps that divide no circle.
+// Tables so coarse that a cell is a large part of the sphere, and steps that do not divide a circle.
 #include <array>
 
 #include "mesh/bodies.hpp"

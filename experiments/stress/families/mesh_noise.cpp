@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh as scanners and segmentations leave it: holes, faces turned over, faces that are there twice.
+// A mesh as scanners and segmentations leave it: with holes, faces turned over, and faces that occur twice.
 #include <algorithm>
 #include <array>
 #include <random>

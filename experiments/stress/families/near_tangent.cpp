@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces that a ray almost runs along. Each is aimed at an entry of a table: its plane makes e = 90 - psi
-// with the direction and passes it 20 mm from the centre. A plane is seen up to e from the aim at most. Down
-// to a tenth of a degree it is a wall that reaches 0.8 e about the aim, 8 degrees at most, so that a table
-// finer than that answers; below, a face that reaches 5 mm along the plane to either side, and 3 mm across,
-// which only the aim meets. Half-way to the edge of each wall four more directions are asked.
+// Surfaces that a ray almost runs along, each aimed at an entry of a table. The plane makes the angle e = 90
+// - psi with the direction and passes it 20 mm from the centre, so it is visible up to e from the aim at
+// most. Down to a tenth of a degree it is a wall that reaches 0.8 e about the aim, at most 8 degrees, so that
+// a finer table answers; four more directions are tested half-way to its edge. Below, it is a face that
+// reaches 5 mm along the plane to either side and 3 mm across, which only the aim meets.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,7 +43,7 @@ namespace {
 constexpr std::array kDegrees{30.0, 10.0, 3.0, 1.0, 0.3, 0.1, 1e-2, 1e-4, 1e-8, 1e-12};
 constexpr double kLeastWall = 0.1;  // degrees
 
-// Those that are so far from the ones before that their walls do not cover one another.
+// Aims so far from earlier ones that their walls do not cover one another.
 std::vector<Vec3> apart(const std::vector<Vec3>& aims, double angle) {
   std::vector<Vec3> kept;
   for (const Vec3& aim : aims) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sphere whose centre is ever farther from the centre of rotation, up to the surface and beyond it.
+// A sphere whose centre moves away from the centre of rotation, until that is on the surface and beyond it.
 #include <array>
 #include <cmath>
 #include <vector>
@@ -16,7 +16,7 @@ namespace {
 constexpr double kOffCentreOriginRadius = 22.0;  // mm
 constexpr std::array kOffsets{0.0, 0.5, 0.9, 0.99, 0.9999, 0.999999, 1.0, 1.5};
 
-// Towards a vertex: a polyhedron reaches out to the sphere there alone. Vertex 7 is on no axis.
+// Shifted towards a vertex, since only there a polyhedron reaches the sphere. Vertex 7 is on no axis.
 TriangleMesh off_centre(double offset, std::size_t halvings) {
   TriangleMesh mesh = icosphere(kOffCentreOriginRadius, halvings);
   const Vec3 origin = offset * mesh.vertices[7];
@@ -24,7 +24,7 @@ TriangleMesh off_centre(double offset, std::size_t halvings) {
   return mesh;
 }
 
-// Half of them crowd round the direction in which the surface is near and steep.
+// Half of them are close to the direction in which the surface is near and steep.
 std::vector<Vec3> directions_towards(const Vec3& near, double offset, std::size_t count) {
   std::vector<Vec3> directions = uniform_directions(count / 2, 21);
   const double angle = std::fmax(1.0 - offset, 1e-7);
@@ -33,7 +33,7 @@ std::vector<Vec3> directions_towards(const Vec3& near, double offset, std::size_
   return directions;
 }
 
-// Is it told that the origin is no longer inside?
+// Is it reported that the origin is no longer inside?
 StabilityCase star_shape_case(const TriangleMesh& mesh, double offset) {
   StabilityCase row;
   row.magnitude = offset;

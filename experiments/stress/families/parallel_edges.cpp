@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two ridges that meet, ever nearer to lying along one another.
+// Two ridges meet, at ever smaller angles to one another.
 #include <array>
 
 #include "stress/known_turn.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Directions close to and on the poles of the spherical angles, where azimuths lose their meaning and an
-// arccosine half of its digits. The body has a vertex on either pole.
+// arccosine loses half of its digits. The body has a vertex on each pole.
 #include <array>
 #include <cmath>
 
@@ -17,7 +17,7 @@ TriangleMesh body() {
   return radial_body(300, [](const Vec3& u) { return 20.0 + 3.0 * u.x() - 2.0 * u.y() * u.z(); });
 }
 
-// At the poles themselves: one direction in four ways to write a zero.
+// At the poles: the same direction with zeros of either sign, written in four ways.
 void add_poles(StabilityScene& scene) {
   for (const double z : {1.0, -1.0}) {
     const std::size_t first = scene.directions.size();

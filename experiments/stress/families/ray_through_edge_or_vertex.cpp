@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rays that meet a vertex or an edge exactly, and so many units in the last place beside. The coordinates of
-// the body are multiples of 1/64 mm: a vertex is a direction through itself, the sum of two is one through
-// their edge, without rounding.
+// Rays that meet a vertex or an edge exactly, or pass a few units in the last place beside it. The
+// coordinates of the body are multiples of 1/64 mm: a vertex is a direction through itself, and the sum of
+// two is a direction through their edge, without rounding.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@
 namespace impinge::lab {
 namespace {
 
-constexpr double kGrid = 64.0;  // coordinates a millimetre
+constexpr double kGrid = 64.0;  // coordinate steps per millimetre
 
 double shifted(double x, int ulps) {
   const double towards =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Directions beside the edge at which a surface ends: the rim of a cup and a hole in it, from both sides. A
-// library whose rays are in float cannot tell angles below 1e-7 apart: what it fails there is its input.
+// Directions on both sides of an edge at which a surface ends: the rim of a cup, and a hole in it. A library
+// with rays in float cannot tell angles below 1e-7 apart; there it fails because of its input.
 #include <array>
 #include <cmath>
 
@@ -26,8 +26,8 @@ TriangleMesh cup_with_hole() {
   return mesh;
 }
 
-// A face one side of which passes the direction at an angle: the direction meets it or, for an angle below
-// zero, does not.
+// A face with one side at this angle from the direction, which meets the face, or misses it at a negative
+// angle.
 TriangleMesh face_beside(const Vec3& aim, double angle) {
   const AimedFrame frame(aim);
   const Vec3 edge = kAimedRadius * (frame.u + std::tan(angle) * frame.second);

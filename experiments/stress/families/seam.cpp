@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Directions on and beside the half-plane in which the azimuth jumps from 360 degrees to 0, and that in which
-// an arctangent jumps from 180 to -180, with zeros of either sign and azimuths of one and two turns more.
+// Directions on and beside two half-planes: where the azimuth jumps from 360 degrees to 0, and where an
+// arctangent jumps from 180 to -180. With zeros of either sign and azimuths of one and two turns more.
 #include <array>
 #include <cmath>
 #include <limits>

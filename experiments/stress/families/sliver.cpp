@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faces with almost no area. The aspect of a sliver is its height over its length; 0 is three corners on one
-// line, as nearly as doubles can be, and a face with two corners at one place. Slivers are aimed at entries
-// of tables, and a closed body has one along a side of every face.
+// Faces with almost no area. The aspect of a sliver is its height over its length. Aspect 0 is three corners
+// on one line, as nearly as doubles can be, and a face with two corners at one place. Slivers are aimed at
+// entries of tables, and a closed body has one along a side of every face.
 #include <algorithm>
 #include <array>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A motion that brings a vertex of the ball through the surface of the socket almost along it, as a neck
-// slides along a rim: at which angle do they touch?
+// A motion that brings a vertex of the ball through the socket's surface at a grazing angle, as a neck slides
+// along a rim: at which angle do they touch?
 #include <array>
 #include <cmath>
 #include <optional>
@@ -21,11 +21,11 @@ constexpr std::array kStiffMotionAngles{1e1, 1e0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5};
 constexpr double kStart = -30.0 * kDegree;
 constexpr std::size_t kAxes = 3;
 
-// At the angle that a method finds, the true gap is no larger than what the method's radius and the vertex
-// may be off, in units of u r: a radius 52 (8 of its plane at this distance, 28 of the taps and 16 of an
-// inverse depth), the turned vertex and its length 24. In a float 1 more for the entries. To first order that
-// is the error of the angle over its condition, r / |d gap / d angle| / angle; where the gap hardly crosses
-// nothing it is right still.
+// At the angle that a method finds, the true gap may be as large as the errors of the method's radius and of
+// the vertex. In units of u r these are 52 for a radius (8 for its plane at this distance, 28 for the taps
+// and 16 for an inverse depth), 24 for the turned vertex and its length, and in float 1 more for the entries.
+// To first order this is the error of the angle divided by its condition, r / |d gap / d angle| / angle; it
+// still holds where the gap hardly crosses zero.
 constexpr double kStiffMotionThreshold = 76.0;
 constexpr double kStoredMotionThreshold = 1.0 + kStiffMotionThreshold * 0x1p-29;
 
@@ -42,7 +42,7 @@ StabilityCase blank(const StabilityMethod& method, double magnitude) {
   return row;
 }
 
-// A table of radii interpolates between entries: there the bound decides. Elsewhere rounding does.
+// For a table of radii, which interpolates between entries, its bound decides; elsewhere rounding does.
 void judge_contact(const StabilityMethod& method, const PointQuery& answering, const Slide& slide,
                    StabilityCase& row) {
   const PreciseSlide truth(slide, kStiffMotionRadius);
@@ -50,7 +50,7 @@ void judge_contact(const StabilityMethod& method, const PointQuery& answering, c
   const double rate = ((truth.gap(contact + 1e-20) - truth.gap(contact)) / 1e-20).convert_to<double>();
   const double radius = slide.vertex(0.0).norm();
   const std::optional<double> found = touching_angle(answering, slide, kStart);
-  // No contact is as right as the gap at the deepest point is small.
+  // "No contact" is as right as the gap at the deepest point is small.
   const Precise gap = truth.gap(found ? Precise(*found) : Precise(0));
   const double error = abs(gap).convert_to<double>();
   ++row.questions;
@@ -62,7 +62,7 @@ void judge_contact(const StabilityMethod& method, const PointQuery& answering, c
   if (method.maker.interpolant == "smooth") {
     row.bound_um =
         1e3 * (method.maker.bound(answering).bound_mm + row.threshold * unit_roundoff(row.scalar) * radius);
-    // Where the overlap is less than the bound, no gap is as good an answer as any.
+    // Where the overlap is less than the bound, "no gap" is as good an answer as any.
     if (!found) ++(1e3 * error > row.bound_um ? row.missed_hits : row.withheld);
     return;
   }
@@ -71,7 +71,7 @@ void judge_contact(const StabilityMethod& method, const PointQuery& answering, c
   if (share > row.threshold) ++(found ? row.wrong : row.missed_hits);
 }
 
-// The exact radius, less than which a gap of a tolerance counts as contact.
+// The exact radius, with gaps up to a tolerance counted as contact.
 StabilityMethod tolerant_octahedron() {
   StabilityMethod method;
   method.maker.name = "mutated_gaps";

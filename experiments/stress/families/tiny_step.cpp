@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps down to 1e-9 degrees, of which no machine holds a whole table: every scheme is asked for single
-// entries and for look-ups whose few taps are worked out on the spot.
+// Steps down to 1e-9 degrees, at which no machine holds a whole table. Every scheme is asked for single
+// entries, and for look-ups whose few taps are worked out on the spot.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -25,11 +25,11 @@ constexpr std::array kTinyStepSteps{1.0,  1e-1, 1e-2, 4e-3, 1e-3, 1e-4,
 constexpr double kTinyStepRadius =
     26.0;  // mm, of the octahedron whose radius R / |u|_1 is known to 3 roundings
 
-// Where does the look-up see an entry? In units of u: sine and cosine 2 each and their products, 4 a
-// component, 7 a direction; back to angles 2 pi and 2 for hypot and atan2, their division by the spacing and
-// the difference from the whole number pi and 2 pi each; for two angles, and the same once more for the four
-// taps' directions and weights: 7 + 2 * (2 pi + 2 + 2 pi) + 7 + 4. An azimuth on a spiral is 2 pi times its
-// turns times the polar angle, which is its condition; on a grid it is none.
+// Threshold for where a look-up sees an entry, in units of u: sine and cosine 2 each and their products, 4
+// per component, 7 per direction; back to angles 2 pi, and 2 for hypot and atan2; their division by the
+// spacing and the difference from the whole number pi and 2 pi each; this for two angles, and again for the
+// four taps' directions and weights: 7 + 2 * (2 pi + 2 + 2 pi) + 7 + 4. An azimuth on a spiral is 2 pi times
+// its turns times the polar angle, which is its condition; on a grid it has none.
 constexpr double kTinyStepThreshold = 48.0;
 
 template <class S>
@@ -38,7 +38,7 @@ double condition(const S& scheme) {
   return 1.0;
 }
 
-// The first ones and the last ones, both sides of 2^31 and 2^32, and as many at random.
+// The first and last entries, those on both sides of 2^31 and 2^32, and as many at random.
 std::vector<std::size_t> sample_entries(std::size_t size, std::size_t count, std::uint64_t seed) {
   std::vector<std::size_t> entries{0, 1, size - 2, size - 1};
   for (const std::size_t border : {std::size_t{1} << 31U, std::size_t{1} << 32U}) {
@@ -51,7 +51,7 @@ std::vector<std::size_t> sample_entries(std::size_t size, std::size_t count, std
   return entries;
 }
 
-// kept: the bits of the number of an entry.
+// `kept` are the bits that an entry's number keeps.
 template <class S>
 void ask_entries(const S& scheme, const std::vector<std::size_t>& entries, StabilityCase& row,
                  std::size_t kept = ~std::size_t{0}) {
@@ -66,8 +66,8 @@ void ask_entries(const S& scheme, const std::vector<std::size_t>& entries, Stabi
   }
 }
 
-// Of an octahedron tan psi is at most sqrt(2), so that a tap within s radians is off by r (exp(sqrt(2) s) -
-// 1), and by what the taps' directions are off.
+// On an octahedron tan psi is at most sqrt(2), so a tap within s radians is off by r (exp(sqrt(2) s) - 1),
+// plus the errors of the taps' directions.
 template <class S>
 void ask_windows(const S& scheme, std::size_t count, StabilityCase& row) {
   const double slope = std::sqrt(2.0);
@@ -104,7 +104,7 @@ StabilityCase window_case(double step, const StabilityRun& run) {
   return row;
 }
 
-// The same with entries that are numbered in 32 bits.
+// As above, with entries numbered in 32 bits.
 StabilityCase short_numbers(double step, const StabilityRun& run) {
   StabilityCase row;
   row.magnitude = row.precision_deg = step;
@@ -121,7 +121,7 @@ StabilityCase short_numbers(double step, const StabilityRun& run) {
   return row;
 }
 
-// A whole table: refused, with its bytes, before memory is asked for.
+// A whole table must be refused, with its bytes, before memory is asked for.
 template <class S>
 void add_table_case(double step, std::vector<StabilityCase>& rows) {
   StabilityCase row;

@@ -18,11 +18,11 @@ namespace {
 constexpr double kTranslationRadius = 22.0;  // mm
 constexpr std::array kDistances{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
 
-// A coordinate of the file is the nearest double to that of the joint, off by u (1 + D) R for a joint that is
-// D R away, R the farthest vertex; the difference from the centre is then exact or rounds once more. A plane
-// inside the face moves by no more than its corners, sqrt(3) of that each, and the radius by 1 + tan psi of
-// it, R over r times: 2 more than what a radius may be off, times 1 + D. In a float the share of D that
-// counts is that of a double.
+// Factor on the threshold for a joint that is D R away, R its farthest vertex. A coordinate of the file is
+// off by u (1 + D) R; the difference from the centre is then exact or rounds once more. A plane inside the
+// face moves no more than its corners, sqrt(3) times that each, and the radius moves by 1 + tan psi times
+// this, R over r times. That is 2 more than the allowed error of a radius, times 1 + D. In a float the share
+// of D that counts is the double's.
 double amplification(double distance, Scalar scalar) {
   return 1.0 + distance * unit_roundoff(Scalar::float64) / unit_roundoff(scalar);
 }
@@ -30,7 +30,7 @@ constexpr double kMoved = 2.0;
 
 TriangleMesh joint() { return sphere(kTranslationRadius, 320, Vec3(2.1, -1.3, 0.7)); }
 
-// Truths of the joint itself, worked out once for each set of directions.
+// The true radii of the joint itself, worked out once for each set of directions.
 class Truths {
  public:
   explicit Truths(const TriangleMesh& mesh) : mesh_(mesh) {}
@@ -49,7 +49,7 @@ class Truths {
   std::map<std::string, std::pair<std::vector<Vec3>, RadiusQuestions>> known_;
 };
 
-// The errors against the joint as it was before it was moved.
+// The errors relative to the joint before it was moved.
 StabilityCase against_the_joint(const StabilityMethod& method, const StabilityScene& moved, double distance,
                                 Truths& truths) {
   StabilityCase row;
@@ -85,7 +85,7 @@ TriangleMesh moved_to(TriangleMesh mesh, const Vec3& place) {
   return mesh;
 }
 
-// What a program does that reads coordinates into floats before it takes the centre from them.
+// A program that reads coordinates as floats before it subtracts the centre.
 TriangleMesh float_first(const TriangleMesh& file, const Vec3& centre) {
   TriangleMesh mesh = file;
   const Eigen::Vector3f origin = centre.cast<float>();

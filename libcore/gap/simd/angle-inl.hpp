@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The angle of a point of the plane without libm. Included once for each instruction set, hence no #pragma
+// The angle of a point of the plane, without libm. Included once for each instruction set, hence no #pragma
 // once.
 #if defined(IMPINGE_ANGLE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef IMPINGE_ANGLE_INL
@@ -19,8 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace impinge::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// atan(t) = t + t s P(s), s = t^2, for |t| <= tan(pi / 8): the largest error relative to t is as small as a
-// polynomial of so many terms can have it (Remez), 6.6e-10 with five and 3.4e-17 with ten.
+// atan(t) = t + t s P(s), s = t^2, for |t| <= tan(pi / 8). P has the least possible error relative to t
+// (Remez): 6.6e-10 with five terms, 3.4e-17 with ten.
 inline constexpr std::array<float, 5> kFloatArctangent{-0.333333154975439653F, 0.199984889195458961F,
                                                        -0.142438381810787797F, 0.10595918081792555F,
                                                        -0.0608322917027841724F};
@@ -45,8 +45,8 @@ HWY_INLINE hn::Vec<D> small_arctangent(D d, hn::Vec<D> t) {
   return hn::Add(t, hn::Mul(hn::Mul(t, s), sum));
 }
 
-// atan2(|y|, x) in [0, pi]; 0 for (0, 0).
-//   lower = min(|x|, |y|) / max: above tan(pi / 8), atan(l / u) = pi / 4 + atan((l - u) / (l + u))
+// atan2(|y|, x) in [0, pi]; 0 for (0, 0). With l the lesser and u the larger of |x|, |y|, and l / u above
+// tan(pi / 8), atan(l / u) = pi / 4 + atan((l - u) / (l + u)).
 template <class D>
 HWY_INLINE hn::Vec<D> half_turn_angle(D d, hn::Vec<D> y, hn::Vec<D> x) {
   using T = hn::TFromD<D>;

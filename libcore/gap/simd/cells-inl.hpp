@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a place on the grid of a table to the number that it interpolates there. Included once for each
-// instruction set (see Highway's foreach_target.h), hence no #pragma once.
+// Interpolates the numbers of a table at a place on its grid. Included once for each instruction set (see
+// Highway's foreach_target.h), hence no #pragma once.
 #if defined(IMPINGE_CELLS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef IMPINGE_CELLS_INL
 #undef IMPINGE_CELLS_INL
@@ -24,19 +24,20 @@ using Whole = hn::RebindToSigned<D>;
 template <class D>
 using Bits = hn::RebindToUnsigned<D>;
 
-// A number of up to 2^22 to which this was added is whole, rounded to the nearest: so many more than
-// kWholeBits are the bits of the sum.
+// Adding this rounds a number of up to 2^22 to the nearest whole one: the bits of the sum are that number
+// more than kWholeBits.
 inline constexpr float kWhole = 0x1.8p23F;
 inline constexpr std::uint32_t kWholeBits = 0x4B400000U;
 
-// A grid line, as a whole number, and the share of the cell beyond it that a place is at.
+// The grid line below a place, a whole number, and how far into the cell the place is, from 0 to 1.
 template <class D>
 struct Line {
   hn::Vec<D> below;
   hn::Vec<D> share;
 };
 
-// Of a place in [0, count], moved to it where it lies outside; NaN counts as 0, so that no index is wild.
+// The line below a place. A place outside of [0, count] is moved to its end, and NaN to 0, so that no index
+// is wild.
 template <class D>
 HWY_INLINE Line<D> line_below(D d, hn::Vec<D> place, hn::Vec<D> count) {
   const auto from = hn::IfThenElseZero(hn::Gt(place, hn::Zero(d)), place);
@@ -45,7 +46,7 @@ HWY_INLINE Line<D> line_below(D d, hn::Vec<D> place, hn::Vec<D> count) {
   return {below, hn::Sub(inside, below)};
 }
 
-// row * stride + column, exact: in whole numbers for floats, whose 24 bits are too few.
+// row * stride + column, exactly: floats are converted to whole numbers first, as their 24 bits are too few.
 template <class D>
 HWY_INLINE hn::Vec<Whole<D>> first_entry(D d, hn::Vec<D> row, hn::Vec<D> column, std::size_t stride) {
   using T = hn::TFromD<D>;
@@ -70,7 +71,8 @@ HWY_INLINE Pair<D> load_pair(D d, const T* values, hn::Vec<Whole<D>> entry) {
   return {hn::GatherIndex(d, values, entry), hn::GatherIndex(d, values + 1, entry)};
 }
 
-// Both in one load of 32 bits, which need not be aligned: the gathers of other sets ask for that.
+// Loads both entries as 32 bits that need not be aligned. On sets whose gathers ask for alignment, lane by
+// lane.
 template <class D>
 HWY_INLINE Pair<D> load_pair(D d, const std::uint16_t* values, hn::Vec<Whole<D>> entry) {
   const Whole<D> whole;
@@ -89,7 +91,7 @@ HWY_INLINE Pair<D> load_pair(D d, const std::uint16_t* values, hn::Vec<Whole<D>>
   return {hn::ConvertTo(d, little ? low : high), hn::ConvertTo(d, little ? high : low)};
 }
 
-// What the values of the four corners are between them, bilinear.
+// Bilinear interpolation between the four corners of a cell.
 template <class D, class Value>
 HWY_INLINE hn::Vec<D> between(D d, const Value* values, std::size_t stride, hn::Vec<Whole<D>> entry,
                               hn::Vec<D> across, hn::Vec<D> down) {

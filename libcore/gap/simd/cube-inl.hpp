@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where on a cube map a point is. Included once for each instruction set, hence no #pragma once.
+// Finds the place of a point on a cube map. Included once for each instruction set, hence no #pragma once.
 #if defined(IMPINGE_CUBE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef IMPINGE_CUBE_INL
 #undef IMPINGE_CUBE_INL
@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace impinge::HWY_NAMESPACE {
 
-// As the place on a grid, and what the length of a point is made of: secant * depth.
+// A place on the grid; the length of the point is secant * depth.
 template <class D>
 struct CubePlace {
   hn::Vec<Whole<D>> entry;
@@ -24,8 +24,8 @@ struct CubePlace {
   hn::Vec<D> depth;
 };
 
-// See sphere/cube.hpp: the face is that of the largest coordinate, the first of equals; along its row runs
-// the first of the other two. A table has `divisions` and a row of entries more than that along each side.
+// See sphere/cube.hpp: the face belongs to the largest coordinate, the first of equals; the first of the
+// other two runs along its rows. A face has `divisions` cells, and one entry more, along each side.
 class CubeLanes {
  public:
   template <class Table>
@@ -58,23 +58,23 @@ class CubeLanes {
             secant, depth};
   }
 
-  // r - |x| from an inverse depth, see sphere/stored_table.hpp. NaN at the centre, where a, b and what
-  // follows from them are.
+  // r - |x| from an inverse depth q, see sphere/stored_table.hpp. NaN at the centre, where a and b are.
   template <class D>
   HWY_INLINE hn::Vec<D> gap(D d, const Point<D>& /*p*/, const CubePlace<D>& place, hn::Vec<D> q) const {
     return hn::Mul(place.secant, hn::Sub(hn::Div(hn::Set(d, 1.0F), q), place.depth));
   }
 
  private:
-  // The line below a place: its number, kWholeBits more than that, and the share of the cell.
+  // The line below a place, as its number plus kWholeBits, and the share of the cell.
   template <class D>
   struct CellLine {
     hn::Vec<Bits<D>> bits;
     hn::Vec<D> share;
   };
 
-  // Of a in [-1, 1], which may be 3 u more. The place in the grid, half a cell less, is rounded: on a line,
-  // to either cell beside it. The grid is smaller by 8 u, so that none is beyond its first or last cell.
+  // The line below a coordinate a in [-1, 1], or up to 3 u beyond. The place less half a cell is rounded, so
+  // that a place on a line may go to either cell beside it. The grid is made smaller by 8 u of itself, so
+  // that no place is beyond its first or last cell.
   template <class D>
   HWY_INLINE CellLine<D> cell_line(D d, hn::Vec<D> a) const {
     const auto whole = hn::Set(d, kWhole);
@@ -84,7 +84,7 @@ class CubeLanes {
     return {hn::BitCast(Bits<D>(), sum), hn::Add(past_middle, hn::Set(d, 0.5F))};
   }
 
-  // First entry of the face, less what the bits of row and column have in excess.
+  // First entry of the face, less the kWholeBits in the bits of row and column.
   template <class D>
   HWY_INLINE hn::Vec<Bits<D>> face_entry(D d, hn::Vec<D> side, hn::Mask<D> on_x, hn::Mask<D> z_first) const {
     const Bits<D> bits;
@@ -96,7 +96,7 @@ class CubeLanes {
     return hn::Add(hn::BitCast(bits, axis), hn::BitCast(bits, back));
   }
 
-  // No place that is no number reads beyond the table.
+  // Keeps a place that is NaN from reading beyond the table.
   std::uint32_t last_cell() const { return 6 * face_ - row_ - 2; }
 
   float half_;

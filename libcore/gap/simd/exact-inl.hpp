@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The faces of a cell of exact_cells.hpp against a vertex. Included once for each instruction set, hence no
-// #pragma once.
+// Tests a vertex against the faces of its cell (exact_cells.hpp). Included once for each instruction set,
+// hence no #pragma once.
 #if defined(IMPINGE_EXACT_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef IMPINGE_EXACT_INL
 #undef IMPINGE_EXACT_INL
@@ -20,11 +20,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace impinge::HWY_NAMESPACE {
 
-// No face: what hn::MaxOfLanes() never is below where lanes are emulated.
+// Stands for no face; hn::MaxOfLanes() never gives less where lanes are emulated.
 inline constexpr float kNoFace = std::numeric_limits<float>::lowest();
 
-// Vertices that are worked on together: moved, then looked up one by one, then turned into gaps. As
-// many as a word has bits.
+// How many vertices are worked on together: moved, then looked up one by one, then turned into gaps. As many
+// as a word has bits.
 inline constexpr std::size_t kChunk = 64;
 inline constexpr std::size_t kPlanes = ExactCell::kPlanes;
 
@@ -36,9 +36,9 @@ struct Chunk {
   HWY_ALIGN float s[kPlanes * kChunk];  // of the planes of a smooth cell, or of the face that is met
   HWY_ALIGN float gap[kChunk];
   HWY_ALIGN std::int32_t cell[kChunk];
-  std::size_t others[kChunk];  // vertices in cells that need more memory: those in ...
-  std::size_t wide[kChunk];    // ... smooth cells
-  std::size_t rough[kChunk];   // ... and those in others
+  std::size_t others[kChunk];  // vertices in cells that need more memory
+  std::size_t wide[kChunk];    // of these, the vertices in smooth cells
+  std::size_t rough[kChunk];   // of these, the vertices in other cells
   std::size_t doubt[kChunk];
 };
 
@@ -61,7 +61,7 @@ HWY_INLINE void look_up(const ExactCell& cell, std::size_t i, Chunk& chunk) {
     hn::Store(along(d, &x[k], &y[k], &z[k], p), d, chunk.s + kPlanes * i + k);
 }
 
-// The larger s of each of the first four planes and of that four places on.
+// For each of the first four planes the larger s of it and of the plane four places on.
 HWY_INLINE void look_up(const WidePlanes& planes, std::size_t i, Chunk& chunk) {
   const hn::CappedTag<float, kPlanes> d;
   const auto p = vertex(d, chunk, i);
@@ -73,15 +73,15 @@ HWY_INLINE void look_up(const WidePlanes& planes, std::size_t i, Chunk& chunk) {
   }
 }
 
-// All faces of a cell that is not smooth. Is the vertex in doubt?
+// Tests all faces of a cell that is not smooth. Returns whether the vertex is in doubt.
 HWY_INLINE bool look_up_blocks(const ExactCells& cells, const ExactCell& cell, std::size_t i, Chunk& chunk) {
   const hn::CappedTag<float, FaceBlock::kFaces> d;
   const auto p = vertex(d, chunk, i);
   const auto doubtful = hn::Set(d, 5.0F * 0x1p-24F * chunk.size[i]);
   const auto none = hn::Set(d, kNoFace);
   auto best = none;
-  auto closest = hn::Neg(none);     // to the plane of an edge
-  auto least_size = hn::Neg(none);  // of s where a face is met; 0 of one that is too steep
+  auto closest = hn::Neg(none);     // least distance to the plane of an edge
+  auto least_size = hn::Neg(none);  // least |s| of the faces that are met; 0 for one that is too steep
   for (std::uint32_t at = 0; at < cell.count; ++at) {
     const FaceBlock& block = cells.blocks[cell.first - 1 + at];
     const auto row = [&](const std::array<FaceBlock::Row, 3>& rows, std::size_t k)

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kMostCells = 2048.0;  // along an edge of the cube
 
-// Share of the sphere that the faces cover, each by itself; the flat triangle between unit corners stands for
-// the round one.
+// The share of the sphere that the faces cover, each counted by itself. A flat triangle between unit corners
+// stands for the spherical one.
 double covered_share(const TriangleMesh& mesh) {
   double area = 0.0;
   for (const Face& face : mesh.faces) {
@@ -35,7 +35,7 @@ std::size_t divisions_for(const TriangleMesh& mesh, double cells_a_face) {
   return static_cast<std::size_t>(std::clamp(std::round(std::sqrt(cells / 6.0)), 1.0, kMostCells));
 }
 
-// In a cell that each layer of a mesh covers or leaves alone, the faces of the layer that counts.
+// Chooses the faces of the layer that counts, in a cell that each layer covers wholly or not at all.
 class FrontFaces {
  public:
   FrontFaces(const TriangleMesh& mesh, Layer layer) {
@@ -45,7 +45,7 @@ class FrontFaces {
     }
   }
 
-  // Those of these, one or more; until the next call.
+  // The chosen of these faces, one or more; valid until the next call.
   std::span<const std::uint32_t> among(std::span<const std::uint32_t> faces) {
     kept_.assign(faces.begin(), faces.end());
     std::ranges::sort(kept_, {}, [&](std::uint32_t f) { return depth_[f].low; });
@@ -60,7 +60,7 @@ class FrontFaces {
   }
 
  private:
-  std::vector<RadiusRange> depth_;  // of each face, mm: less is nearer to the layer that counts
+  std::vector<RadiusRange> depth_;  // of each face, mm; less is nearer to the layer that counts
   std::vector<std::uint32_t> kept_;
 };
 
@@ -87,7 +87,7 @@ void set_planes(const std::vector<Vec3>& planes, std::span<const std::uint32_t> 
   cell.first = static_cast<std::uint32_t>(made.wide.size());
 }
 
-// A block of each eight of these faces.
+// Adds a block for each eight of these faces.
 void add_blocks(std::span<const FaceLane> all, std::span<const std::uint32_t> faces, ExactCell& cell,
                 ExactCells& made) {
   const std::size_t before = made.blocks.size();

@@ -6,8 +6,8 @@
 namespace impinge {
 namespace {
 
-// Certainly outside of the cone over a face, by doubles: on one side of an edge, and on the other side of
-// another one.
+// Is x, by doubles, certainly outside of the cone over a face: on one side of an edge and on the other side
+// of another?
 bool clearly_outside(const std::array<Vec3, 3>& corners, const Vec3& x, double length) {
   bool above = false;
   bool below = false;

@@ -6,11 +6,11 @@
 namespace impinge {
 namespace {
 
-// What the normal of an edge may be off by in double, next to the 2^-24 of its float.
+// How far the normal of an edge may be off in double, beside the 2^-24 of its float.
 constexpr double kCertainEdge = 0x1p-28;
 
-// A normal of zero, of an edge without certain digits, leaves every direction in doubt that the other edges
-// do not exclude.
+// The normal is zero for an edge without certain digits: every direction that the other edges do not exclude
+// is then in doubt.
 Eigen::Vector3f edge_normal(const TriangleCone& cone, std::size_t k) {
   const Vec3& from = cone.corners()[k];
   const Vec3& to = cone.corners()[(k + 1) % 3];
@@ -20,7 +20,7 @@ Eigen::Vector3f edge_normal(const TriangleCone& cone, std::size_t k) {
   return normal.stableNormalized().cast<float>();
 }
 
-// Lane k of rows of coordinates.
+// Sets lane k of rows of coordinates.
 void set_lane(std::array<FaceBlock::Row, 3>& rows, std::size_t k, const Eigen::Vector3f& x) {
   for (std::size_t i = 0; i < 3; ++i) rows[i][k] = x[static_cast<Eigen::Index>(i)];
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the faces of a mesh are put into blocks; see exact_cells.hpp.
+// Puts the faces of a mesh into blocks; see exact_cells.hpp.
 #pragma once
 
 #include "gap/simd/exact_cells.hpp"
@@ -14,7 +14,7 @@ struct FaceLane {
 };
 std::vector<FaceLane> face_lanes(const SeenMesh& seen, Layer layer);  // of all faces
 
-/// These of all faces, one to eight.
+/// The block of one to eight of these faces.
 FaceBlock face_block(std::span<const FaceLane> all, std::span<const std::uint32_t> faces);
 
 }  // namespace impinge

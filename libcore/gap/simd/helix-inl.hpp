@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where on the helix of USID a point is, and what is stored there; see sphere/spiral.hpp for the stencil and
-// sphere/height_steps.hpp for the helix. In double: a place is a number of up to 2^28 entries and a fraction.
-// Included once for each instruction set, hence no #pragma once.
+// Finds the place of a point on the helix of USID, and the number that is stored there; see sphere/spiral.hpp
+// for the stencil and sphere/height_steps.hpp for the helix. It works in double, as a place is a number of up
+// to 2^28 entries and a fraction. Included once for each instruction set, hence no #pragma once.
 #if defined(IMPINGE_HELIX_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef IMPINGE_HELIX_INL
 #undef IMPINGE_HELIX_INL
@@ -31,7 +31,7 @@ inline constexpr std::array<double, 9> kHaversine{0.25,
                                                   -2.388702444845624e-14,
                                                   7.584583483408685e-17};
 
-// hav(angle) = (1 - cos angle) / 2 of an angle in [0, pi].
+// hav(angle) = (1 - cos angle) / 2, for an angle in [0, pi].
 template <class D>
 HWY_INLINE hn::Vec<D> haversine_lanes(D d, hn::Vec<D> angle) {
   const auto obtuse = hn::Gt(angle, hn::Set(d, 0.5 * kPi));
@@ -41,7 +41,7 @@ HWY_INLINE hn::Vec<D> haversine_lanes(D d, hn::Vec<D> angle) {
   return hn::IfThenElse(obtuse, hn::Sub(hn::Set(d, 1.0), share), share);
 }
 
-// On the turn above a point and on the one below, and how far down between them it is.
+// The places above and below a point on the two turns, and how far down between them it is.
 template <class D>
 struct HelixPlace {
   Line<D> above;
@@ -92,7 +92,7 @@ class HelixLanes {
   }
 
  private:
-  // Between which entries the helix is after so many turns.
+  // The entries between which the helix is after so many turns.
   template <class D>
   HWY_INLINE Line<D> on_turn(D d, hn::Vec<D> turn) const {
     const auto phi = hn::Min(hn::Mul(turn, hn::Set(d, kPi / turns_)), hn::Set(d, kPi));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two neighbouring entries of a helix for each lane, in double. Included once for each instruction set, hence
-// no #pragma once.
+// Loads two neighbouring entries of a helix for each lane, as doubles. Included once for each instruction
+// set, hence no #pragma once.
 #if defined(IMPINGE_HELIX_PAIRS) == defined(HWY_TARGET_TOGGLE)
 #ifdef IMPINGE_HELIX_PAIRS
 #undef IMPINGE_HELIX_PAIRS
@@ -25,7 +25,8 @@ HWY_INLINE Pair<D> helix_pair(D d, const double* values, hn::Vec<Whole<D>> entry
   return load_pair(d, values, entry);
 }
 
-// Eight bytes from an entry on, which need not be aligned: the gathers of other sets ask for that.
+// Loads eight bytes from an entry on, which need not be aligned. On sets whose gathers ask for alignment,
+// lane by lane.
 template <class D, class T>
 HWY_INLINE hn::Vec<Bits<D>> eight_bytes(D /*d*/, const T* values, hn::Vec<Whole<D>> entry) {
   const Bits<D> bits;

@@ -12,15 +12,15 @@
 namespace impinge {
 namespace {
 
-constexpr double kWiden = 1e-6;  // of a face of the cube, for places that rounding moves over its edge
+constexpr double kWiden = 1e-6;  // share of a face of the cube, for places that rounding moves over its edge
 
-// In cells from the corner of a face of the cube.
+// A point of a face of the cube, in cells from its corner.
 struct GridPoint {
   double a;
   double b;
 };
 
-// What of a cone one face of the cube sees.
+// The part of a cone that one face of the cube sees.
 struct Outline {
   std::array<GridPoint, ConePolygon::kMostCorners> corner{};
   std::size_t count = 0;
@@ -46,7 +46,7 @@ struct Span {
   }
 };
 
-// Where the outline is along a, of its points with b in [low, high].
+// The range of a over the points of the outline with b in [low, high].
 Span along_row(const Outline& outline, double low, double high) {
   Span span;
   for (std::size_t k = 0; k < outline.count; ++k) {
@@ -62,7 +62,7 @@ Span along_row(const Outline& outline, double low, double high) {
   return span;
 }
 
-// The cells that a span takes in, first to last; none where first > last.
+// The cells of a span, first to last; none if first > last.
 struct Cells {
   std::ptrdiff_t first;
   std::ptrdiff_t last;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which cells of a grid on a cube a face may be met in.
+// Finds the cells of a grid on a cube in which a face may be met.
 #pragma once
 
 #include <cstddef>
@@ -13,27 +13,25 @@
 
 namespace impinge {
 
-/// Cells of a cube with `divisions` cells along an edge, named by the entry of `cube_gnomonic` that they
-/// begin at: (6-fold face, row, column) -> (face (n + 1) + row) (n + 1) + column.
-///
-/// Places on the grid may be off by `margin` cells.
+/// A cube with n = `divisions` cells along each edge. A cell is named by the entry of `cube_gnomonic` at
+/// which it begins: (face (n + 1) + row) (n + 1) + column. Places on the grid may be off by `margin` cells.
 struct CellGrid {
   std::size_t divisions;  // cells along an edge
   double margin;          // cells
 };
 
-/// A grid whose margin covers places that a kernel works out in float, which are off by 6.5 u times the cells
-/// of an edge (gap_kernels.hpp).
+/// A grid whose margin covers the places of a kernel in float, which are off by 6.5 u times the cells of an
+/// edge (gap_kernels.hpp).
 inline CellGrid float_grid(std::size_t divisions) {
   return {divisions, 1e-6 + 7.0 * 0x1p-24 * static_cast<double>(divisions)};
 }
 
-/// Appends to `cells` every cell that holds a direction of the cone, or may seem to with places off by the
-/// margin, and few others; in order of the rows, each once.
+/// Appends to `cells`, row by row and each once, every cell that holds a direction of the cone, or may seem
+/// to if places are off by the margin, and few others.
 void add_hit_cells(const CellGrid& grid, const TriangleCone& cone, std::vector<std::uint32_t>& cells);
 
-/// For the entry that each cell begins at: those of these faces, by number and in their order, that the cell
-/// may meet. mesh in the centre frame.
+/// Lists, for the entry at which each cell begins, which of these faces may be met in the cell, in their
+/// order. `mesh` is in the centre frame.
 Lists faces_of_cells(const TriangleMesh& mesh, std::span<const std::uint32_t> faces, const CellGrid& grid);
 
 }  // namespace impinge

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Both scans of a joint in many poses: the tables and the vertices as the kernels read them, made once.
+/// Both scans of a joint, for many poses: tables and vertices in the form that kernels read are made once.
 #pragma once
 
 #include <span>
@@ -11,10 +11,10 @@
 
 namespace impinge {
 
-/// Each surface as the other one asks it, in its own centre frame.
+/// The tables and vertices of both surfaces, each in its own centre frame.
 template <class Table>
 struct PackedJoint {
-  using Real = typename Table::Real;  // float or double, in which gaps are worked out
+  using Real = typename Table::Real;  // float or double, as the kernel works
 
   Table ball_table;             // asked by the socket's vertices
   Table socket_table;           // asked by the ball's vertices
@@ -22,7 +22,7 @@ struct PackedJoint {
   PackedVertices<Real> socket;  // mm
 };
 
-/// Meshes in their centre frames, mm, and the tables that were filled from them.
+/// Packs meshes in their centre frames, mm, with the tables that were filled from them.
 template <class Table>
 PackedJoint<Table> packed_joint(Table ball_table, Table socket_table, const TriangleMesh& ball,
                                 const TriangleMesh& socket) {
@@ -31,7 +31,8 @@ PackedJoint<Table> packed_joint(Table ball_table, Table socket_table, const Tria
           packed_vertices<Real>(socket.vertices)};
 }
 
-/// Gaps of all vertices, mm, each of the size of its surface; as in gap/simd/gap_kernels.hpp.
+/// Writes the gaps of all vertices, mm, as in gap/simd/gap_kernels.hpp. Each span has the size of its
+/// surface.
 template <class Table>
 void scan_joint(const PackedJoint<Table>& joint, const Pose& pose,
                 std::span<typename PackedJoint<Table>::Real> ball_gap,

@@ -9,14 +9,14 @@ namespace impinge {
 
 namespace {
 
-// tan psi up to which a radius in double, off by 84 2^-53 (1 + tan psi) of itself (table/error_bound.hpp),
-// is within the 18 2^-24 of exact_cells.hpp.
+// Up to this tan psi a radius in double, off by 84 2^-53 (1 + tan psi) of itself (table/error_bound.hpp), is
+// within the 18 2^-24 of exact_cells.hpp.
 constexpr double kSteepestInDouble = 1e8;
 
 }  // namespace
 
 std::vector<bool> open_cells(const TriangleMesh& mesh, CellGrid grid) {
-  grid.margin *= 2.0;  // so that a cell in whose margin a face ends is open for sure
+  grid.margin *= 2.0;  // a cell is surely open if a face ends in its margin
   std::vector<std::uint32_t> cells;
   for (const JumpEdge& edge : jump_edges(mesh)) add_hit_cells(grid, cone_of(mesh, edge), cells);
   for (const Face& face : mesh.faces) {

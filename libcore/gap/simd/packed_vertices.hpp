@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertices as a kernel reads them: coordinate by coordinate, in float or double.
+// Vertices in the form that a kernel reads: coordinate by coordinate, in float or double.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace impinge {
 
-/// Millimetres, in the frame of the mesh that they are of; all three of one size.
+/// Vertices in mm, in the frame of their mesh; the three lists have one size.
 template <class Real>
 struct PackedVertices {
   std::vector<Real> x;  // of each vertex
@@ -21,7 +21,7 @@ struct PackedVertices {
   std::size_t size() const { return x.size(); }  // number of vertices
 };
 
-/// Each coordinate rounded once.
+/// Packs vertices; each coordinate is rounded once.
 template <class Real>
 PackedVertices<Real> packed_vertices(std::span<const Vec3> vertices) {
   PackedVertices<Real> lanes;
@@ -41,7 +41,7 @@ struct PackedTransform {
   std::array<Real, 3> translation{};              // mm
 };
 
-/// Worked out in double and rounded once.
+/// The transform of a scan in a pose, worked out in double and rounded once.
 template <class Real>
 PackedTransform<Real> packed_transform(const Pose& pose, Surface scanned) {
   Eigen::Matrix3d rotation = pose.rotation;

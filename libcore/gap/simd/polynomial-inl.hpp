@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Polynomials in the order of Estrin: about as many products as Horner's, half of which do not wait for each
-// other. Included once for each instruction set, hence no #pragma once.
+// Polynomials by Estrin's scheme: about as many products as by Horner's, but half of them do not wait for
+// each other. Included once for each instruction set, hence no #pragma once.
 #if defined(IMPINGE_POLYNOMIAL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef IMPINGE_POLYNOMIAL_INL
 #undef IMPINGE_POLYNOMIAL_INL

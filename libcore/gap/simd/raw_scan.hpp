@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scan as it is handed over to the code of an instruction set: pointers and numbers alone.
+// A scan in the form that the code of an instruction set takes: pointers and numbers alone.
 #pragma once
 
 #include <cassert>
@@ -22,7 +22,7 @@ struct RawScan {
   Real* gap;                        // mm, `count` of them
 };
 
-/// Borrows from both; gap has the size of the vertices.
+/// Borrows the memory of vertices and gaps, which have one size.
 template <class Real>
 RawScan<Real> raw_scan(const PackedVertices<Real>& vertices, const Pose& pose, Surface scanned,
                        std::span<Real> gap) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one kernel, over all schemes: a scheme says where on the grid of its table a point is. Included once
-// for each instruction set, hence no #pragma once.
+// The kernel for all schemes: a scheme says where on the grid of its table a point is. Included once for each
+// instruction set, hence no #pragma once.
 #if defined(IMPINGE_SCAN_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef IMPINGE_SCAN_INL
 #undef IMPINGE_SCAN_INL
@@ -26,7 +26,8 @@ struct Point {
   hn::Vec<D> z;
 };
 
-// Where a point is on the grid: the entry that its cell begins at, and its shares of the cell.
+// The place of a point on the grid: the entry at which its cell begins, and how far into the cell it is, from
+// 0 to 1.
 template <class D>
 struct Place {
   hn::Vec<Whole<D>> entry;
@@ -54,25 +55,25 @@ HWY_INLINE hn::Vec<D> no_gap(D d) {
   return hn::Set(d, std::numeric_limits<hn::TFromD<D>>::quiet_NaN());
 }
 
-// r - |x|; a point at the centre has no direction.
+// r - |x|; NaN for a point at the centre, which has no direction.
 template <class D>
 HWY_INLINE hn::Vec<D> radial_gap(D d, const Point<D>& p, hn::Vec<D> radius) {
   const auto size = length(p);
   return hn::IfThenElse(hn::Gt(size, hn::Zero(d)), hn::Sub(radius, size), no_gap(d));
 }
 
-// The number of a table at a place, and where there is none.
+// The number of a table at a place, and whether there is none.
 template <class D>
 struct Found {
   hn::Vec<D> number;
   hn::Mask<D> none;
 };
 
-// A table as the loop over the vertices reads it.
+// A table in the form that the loop over the vertices reads.
 template <class T, class Value, class Word>
 struct RawTable {
   const Value* values;
-  const Word* none;  // null where all cells have an answer
+  const Word* none;  // null if all cells have an answer
   std::size_t stride;
   T smallest;
   T step;
@@ -114,8 +115,8 @@ HWY_INLINE hn::Vec<D> gaps(D d, const Scheme& scheme, const Table& table, hn::TF
   return hn::IfThenElse(found.none, no_gap(d), gap);
 }
 
-// gap = answer(vertices), a vector at a time; the last one is filled up with points at the centre. What is
-// read in it has to be copied before: the gaps that are written might be it.
+// gap = answer(vertices), one vector at a time; the last vector is filled up with points at the centre.
+// `answer` must hold copies: what it reads by reference could be the gaps that are written.
 template <class T, class Answer>
 HWY_INLINE void for_each_vector(const RawScan<T>& scan, const Answer& answer) {
   using D = hn::ScalableTag<T>;
@@ -139,7 +140,7 @@ HWY_INLINE void for_each_vector(const RawScan<T>& scan, const Answer& answer) {
   std::memcpy(gap + whole, rest[3], bytes);
 }
 
-// Both are copies: what the loop reads cannot change as gaps are written.
+// Takes copies, so that what the loop reads cannot change as gaps are written.
 template <class Scheme, class Table, class T>
 void scan_lanes(const Scheme scheme, const Table table, const RawScan<T>& scan) {
   using D = hn::ScalableTag<T>;

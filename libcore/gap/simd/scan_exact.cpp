@@ -39,7 +39,7 @@ class ExactScan {
  private:
   using D = hn::ScalableTag<float>;
 
-  // What is left of the last chunk are points at the centre.
+  // Loads a chunk. The last one is filled up with points at the centre.
   void load(std::size_t begin, std::size_t count, Chunk& chunk) const {
     std::memcpy(chunk.x, scan_.x + begin, count * sizeof(float));
     std::memcpy(chunk.y, scan_.y + begin, count * sizeof(float));
@@ -47,7 +47,8 @@ class ExactScan {
     for (std::size_t i = count; i < kChunk; ++i) chunk.x[i] = chunk.y[i] = chunk.z[i] = 0.0F;
   }
 
-  // A bit for each that comes into a cell in which a face may be met. The others have no gap.
+  // Moves the vertices. Returns a bit for each that comes into a cell in which a face may be met; the others
+  // have no gap.
   HWY_ATTR std::uint64_t move(std::size_t count, Chunk& chunk) const {
     const D d;
     const std::uint32_t* const none = cells_.none.data();
@@ -68,7 +69,8 @@ class ExactScan {
     return ~missed & (kAll >> (kChunk - count));
   }
 
-  // How many are in doubt. No branch of a vertex of its own but in cells that need more memory.
+  // Looks up the vertices; returns how many are in doubt. Only cells that need more memory take a branch of
+  // their own.
   HWY_ATTR std::size_t look_up_all(std::uint64_t met, Chunk& chunk) const {
     std::size_t others = 0;
     const auto visit = [&](std::size_t i) HWY_ATTR {
@@ -128,7 +130,7 @@ class ExactScan {
       hn::Vec<D> s0, s1, s2, s3;
       hn::LoadInterleaved4(d, chunk.s + kPlanes * i, s0, s1, s2, s3);
       const auto best = hn::Max(hn::Max(s0, s1), hn::Max(s2, s3));
-      const auto s = hn::Abs(best);  // of a face that is met it is above 0
+      const auto s = hn::Abs(best);  // s of a face that is met is above 0
       const auto size = hn::Load(d, chunk.size + i);
       const auto gap = hn::Mul(hn::Mul(hn::Set(d, scan_.sign), size), hn::Div(hn::Sub(one, s), s));
       const std::uint64_t bits = met >> i;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The planes of faces as a kernel uses them, m . p = 1, and where they answer without their edges.
+// The planes m . p = 1 of faces for a kernel, and a test whether they answer without their edges.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace impinge {
 
-/// Largest 1 / cos psi, psi between ray and normal, at which a face may be seen somewhere and have a plane.
+/// A face has a plane only if 1 / cos psi, psi the angle between ray and normal, is nowhere above this.
 inline constexpr double kSteepest = 4.0;
 std::vector<Vec3> seen_planes(const TriangleMesh& mesh);  // centre frame: m of each face, 1 / mm, or zero
 
@@ -22,7 +22,7 @@ struct SeenMesh {
 };
 
 /// +1 if no corner of these faces lies beyond the plane of one of them, -1 if none lies within one, up to
-/// 2^-26 of its distance; none if both happen, where a plane is zero, and where |m| times the distance of a
+/// 2^-26 of its distance. std::nullopt if both happen, if a plane is zero, or if |m| times the distance of a
 /// corner of another face is above kSteepest.
 std::optional<int> bend_of(const SeenMesh& seen, std::span<const std::uint32_t> faces);
 

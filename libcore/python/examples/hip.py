@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From two meshes to gaps, a picture, limits and the motion volume: hip.py BALL SOCKET left|right OUT.png, or only OUT.png for a hip
+"""Gaps, a picture, limits and the motion volume of two meshes: hip.py BALL SOCKET left|right OUT.png, or only OUT.png for a hip
 made from parameters."""
 import sys
 
@@ -20,13 +20,13 @@ def load(words):
 
 
 def first_touch(joint, poses):
-    """Angles and place of the first pose that touches."""
+    """The angles of the first pose that touches; none if none does."""
     touching = joint.touch(poses)
     return poses[np.argmax(touching)] if touching.any() else None
 
 
 def picture(joint, pose, path):
-    """The ball where `pose` has it, coloured by its gap."""
+    """Draws the ball in this pose, coloured by its gap."""
     gap, _ = joint.gaps(pose)
     matrix = joint.matrices(pose)[0]
     x, y, z = ((joint.ball.vertices + joint.centre) @ matrix[:3, :3].T + matrix[:3, 3]).T

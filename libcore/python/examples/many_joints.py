@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Limits of ten joints at once: joints go to other processes whole, so a pool of dask.distributed does as well, here
+"""Limits of ten joints at once, in several processes. Joints can be pickled, so a pool of dask.distributed works as well, here
 (many_joints.py dask) or on other machines."""
 import sys
 from concurrent.futures import ProcessPoolExecutor
@@ -10,7 +10,7 @@ import impinge
 
 
 def internal_rotation(joint):
-    """Free to at least this, in degrees, at 90 degrees of flexion."""
+    """Degrees of internal rotation that are certainly free at 90 degrees of flexion."""
     return joint.limits("internal_rotation", pose="flexion=90")["limits"][0]["low_deg"]
 
 

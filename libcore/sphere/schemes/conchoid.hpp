@@ -8,7 +8,7 @@
 //
 // In directions the spacing is h / sqrt(a^2 + b^2 + 2 a b cos(phi)) across turns and h / r along them, so
 // that entries are dense round the north pole, the axis of the hip, and sparse round the south pole, which
-// the hip does not have: with Menschik's shape 14 times as far apart. The covering radius is that of the
+// the hip does not have: with Menschik's shape 14 times as far apart. The covering radius is the gap at the
 // south pole.
 #pragma once
 
@@ -33,18 +33,19 @@ class Conchoid : public Spiral<ConchoidSteps> {
 
   Conchoid() : Conchoid({}, 60000) {}
 
-  /// Menschik's shape with entries `degrees` apart along the turn at phi = 90 degrees.
+  /// Menschik's shape with entries `degrees` apart along the turn at phi = 90 degrees. Throws
+  /// std::invalid_argument above 90 and below 2.5e-4 degrees.
   static Conchoid with_precision(double degrees);
 
-  /// Any shape with 0 <= b < a (lengths in mm). std::invalid_argument for others, and for fewer entries than
-  /// two turns have or more than 1e12.
+  /// Any shape with 0 <= b < a (lengths in mm). Throws std::invalid_argument for other shapes, for fewer
+  /// entries than two turns have, and for more than 1e12.
   static Conchoid with_shape(const ConchoidShape& shape, std::size_t entries);
 
   const ConchoidShape& shape() const { return shape_; }  // on whose surface the entries are uniform
-  /// h, of turns and of the entries along them on the surface, mm.
+  /// h, the distance of turns, and of entries along them, on the surface, mm.
   double spacing() const { return placement().spacing() * shape_.a; }
 
-  /// Of the turn round the equator: 2 pi over the spacing there, where r = a.
+  /// Entries of the turn round the equator: 2 pi over the spacing there, where r = a.
   std::size_t equator_points() const {
     return static_cast<std::size_t>(std::round(2.0 * kPi / placement().spacing()));
   }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fibonacci lattice: entry i of N at z = 1 - 2 (i + eps) / (N - 1 + 2 eps) and theta = 2 pi i / golden ratio.
 //
-// eps = 1/4: of all eps it leaves the smallest gap at the poles, N rho^2 = 6.74, against 7.44 with the usual
-// 1/2 and 7.04 with 0.36, which keeps entries farthest apart. In turns of theta and entries of z this is a
-// plane lattice, and at each latitude two consecutive Fibonacci numbers a, b are its shortest steps: the
-// entries round a direction are i + m a + n b in closed form (Keinert et al. 2015). The interpolation is
-// linear in the Delaunay triangle of entries that holds the direction, three taps, the same everywhere, poles
-// included.
+// eps = 1/4 leaves the smallest gap at the poles, N rho^2 = 6.74; the usual 1/2 leaves 7.44, and 0.36, which
+// keeps entries farthest apart, 7.04. In turns of theta and entries of z this is a plane lattice. At each
+// latitude its shortest steps are two consecutive Fibonacci numbers a, b, so that the entries round a
+// direction are i + m a + n b in closed form (Keinert et al. 2015). The interpolation is linear in the
+// Delaunay triangle of entries that holds the direction, at the poles too.
 #pragma once
 
 #include <algorithm>
@@ -40,9 +39,9 @@ class Fibonacci {
   static Fibonacci with_precision(double degrees);
 
   std::size_t size() const { return size_; }
-  /// Eight numbers an entry, of which its triangles use two: see cell_of().
+  /// Eight numbers for each entry; no triangle has some of them, see cell_of().
   std::size_t cells() const { return 8 * size_; }
-  /// Entries a row round the equator would have, were they in squares.
+  /// How many entries a row round the equator would have if entries stood in squares.
   std::size_t equator_points() const {
     return static_cast<std::size_t>(std::round(std::sqrt(kPi * count())));
   }
@@ -63,8 +62,8 @@ class Fibonacci {
   /// A Delaunay triangle lies in a circle of the covering radius.
   double stencil_radius() const { return 2.0 * covering_radius_; }
 
-  /// The zone half a step of z either way; the first and the last entry have the rest of theirs, 1/2 + eps
-  /// steps.
+  /// The zone half a step of z either way; towards the pole the first and the last entry have eps steps
+  /// instead.
   double area(std::size_t entry) const {
     const bool end = entry == 0 || entry + 1 == size_;
     return (end ? 0.5 + kEps : 1.0) * 4.0 * kPi / height();
@@ -82,8 +81,8 @@ class Fibonacci {
   static constexpr double kTurn = 2.0 * kPi * 0x1p-64;           // radians in one
   static constexpr double kGoldenRatio = 1.6180339887498948482;
   static constexpr double kEps = 0.25;
-  static constexpr std::size_t kPolarZone = 12;     // directions nearer to a pole than this entry
-  static constexpr std::size_t kPolarEntries = 40;  // are looked up among so many entries
+  static constexpr std::size_t kPolarZone = 12;     // entries from the pole, where
+  static constexpr std::size_t kPolarEntries = 40;  // so many polar entries are tried
   static constexpr double kMostEntries = 5e10;
 
   explicit Fibonacci(std::size_t size) : size_(size), covering_radius_(find_covering_radius()) {}
@@ -105,8 +104,8 @@ class Fibonacci {
   double covering_radius_;
 };
 
-/// Beyond the first 64 entries of each pole the lattice is flat enough for 2 pi, which is below the gap at
-/// the pole.
+/// The gap at the pole. Beyond the first 64 entries of each pole the lattice is nearly flat, and its gap, N
+/// rho^2 = 2 pi, is smaller.
 inline double Fibonacci::find_covering_radius() const {
   const double reach = 4.2 / std::sqrt(count());
   std::vector<Vec3> polar;
@@ -127,8 +126,8 @@ inline std::size_t Fibonacci::entries_round(const Vec3& u,
     for (std::size_t k = 0; k < found; ++k) entries[k] = first + k;
     return found;
   }
-  // Steps a = F(k), b = F(k + 1) are as long as each other where 2 pi sin(phi) / G^(k + 1/2) = 2 G^(k + 1/2)
-  // / (sqrt(5) N sin(phi)), G the golden ratio: there the lattice is square.
+  // With G the golden ratio, steps a = F(k) and b = F(k + 1) are equally long, and the lattice is square,
+  // where 2 pi sin(phi) / G^(k + 1/2) = 2 G^(k + 1/2) / (sqrt(5) N sin(phi)).
   const double square =
       std::log(std::sqrt(5.0) * kPi * count() * (1.0 - u.z() * u.z())) / std::log(kGoldenRatio);
   std::int64_t a = 1;
@@ -172,8 +171,9 @@ inline Stencil Fibonacci::stencil(const Vec3& x) const {
           cell_of(corner)};
 }
 
-/// Triangles are (i, i + F(k), i + F(k + 2)) and (i, i + F(k + 1), i + F(k + 2)), with one k for an entry i,
-/// or two or three where the shortest steps change: k modulo 4 and which of both tells them apart.
+/// Entry i begins the triangles (i, i + F(k), i + F(k + 2)) and (i, i + F(k + 1), i + F(k + 2)), for one k
+/// or, where the shortest steps change, for two or three. k modulo 4, and which of the two it is, tell its
+/// triangles apart.
 inline std::size_t Fibonacci::cell_of(std::array<std::size_t, 3> entry) const {
   std::sort(entry.begin(), entry.end());
   const std::size_t far = entry[2] - entry[0];
@@ -184,8 +184,8 @@ inline std::size_t Fibonacci::cell_of(std::array<std::size_t, 3> entry) const {
   return 8 * entry[0] + 2 * (order % 4) + half;
 }
 
-/// Entries whose azimuth is in an interval come back to it after one of three Fibonacci numbers of entries
-/// (three gap theorem), so that no other entry of the box is looked at but before the first.
+/// From an entry whose azimuth is in an interval, the next such entry is one of three Fibonacci numbers of
+/// entries away (three gap theorem), so that after the first one no entry outside is looked at.
 template <class Visit>
 void Fibonacci::visit_near(const TriangleCone& cone, double margin, Visit&& visit) const {
   constexpr double kSlack = 1e-6;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// HEALPix: the sphere in 12 nside^2 pixels of equal area, entries at their centres, in the RING order; nside
-// is any whole number.
+// HEALPix: entries at the centres of 12 nside^2 pixels of equal area, in the RING order; nside is any whole
+// number.
 //
 // Ring i = 1 .. 4 nside - 1. Polar cap, i < nside: 4 i entries at z = 1 - i^2 / (3 nside^2), theta = (t +
 // 1/2) 90 / i degrees; the south mirrors it. Between, 4 nside entries at z = 4/3 - 2 i / (3 nside), theta =
-// (t + h) 90 / nside, h = 1/2 if i - nside is even, else 0. Lookup is that of the HEALPix software
+// (t + h) 90 / nside, h = 1/2 if i - nside is even, else 0. Lookup is as in the HEALPix software
 // (get_interpol): linear along the two rings next to the query, then linear in the polar angle; within the
 // first ring the mean of its 4 entries stands for the pole.
 //
@@ -118,7 +118,7 @@ inline double Healpix::ring_position(double phi) const {
   return n * (2.0 - 1.5 * z) - 1.0;
 }
 
-/// Longest next to the poles or at the equator; or across a cap.
+/// The way to a tap is longest next to the poles, at the equator, or across a cap.
 inline double Healpix::find_stencil_radius() const {
   double largest = 2.0 * polar_angle(0);
   constexpr std::size_t few = 32;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Isotropic helix, the generalised spiral: entries as far apart along the curve as its turns are, with
-// N entries both 2 sqrt(pi / N) radians.
+// Isotropic helix, the generalised spiral: entries are as far apart along the curve as its turns are, with N
+// entries 2 sqrt(pi / N) radians.
 //
 // theta = sqrt(pi N) phi (Bauer 2000), that is 2 k = sqrt(pi w) in Eq. 9 of the thesis, where k = sqrt(w)
-// leaves the entries 4 / pi times as far apart along the curve as across it. Heights are those of Rakhmanov,
+// leaves the entries 4 / pi times as far apart along the curve as across it. Heights are as in Rakhmanov,
 // Saff & Zhou 1994, cos(phi_i) = 1 - 2 i / (N - 1), which put an entry on each pole as in Usid, so that one
 // lookup serves both; Bauer's own are half a step inside, 1 - (2 i + 1) / N. Away from the poles
 // N rho^2 = 2 pi: half the diagonal of a square of 2 sqrt(pi / N).
@@ -30,7 +30,7 @@ class HelixIsotropic : public Spiral<HeightSteps> {
   HelixIsotropic() : HelixIsotropic(41253) {}
   static HelixIsotropic with_precision(double degrees);
 
-  /// Of the turn round the equator: 2 pi over the spacing.
+  /// Entries of the turn round the equator: 2 pi over the spacing.
   std::size_t equator_points() const { return static_cast<std::size_t>(std::round(placement().slope())); }
   double precision_deg() const { return 360.0 / placement().slope(); }
 

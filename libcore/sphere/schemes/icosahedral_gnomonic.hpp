@@ -27,7 +27,7 @@ struct GnomonicIcosahedralWarp {
   static Vec3 fractions(const Vec3& lambda) { return lambda; }
   static void widen(TriangleRange&) {}
 
-  /// An edge of a flat cell is 1 / n of that of the icosahedron, and its plane is cos(corner angle) from the
+  /// An edge of a flat cell is 1 / n of the icosahedron's edge, and its plane is cos(corner angle) from the
   /// centre: as an angle it is no longer than their ratio, sqrt(3) (3 - sqrt(5)) / n.
   static constexpr double kLongestWay = 1.7320508075688772 * Icosahedron::kTangent;
 };

@@ -65,13 +65,14 @@ struct SineIcosahedralWarp {
   /// margin.
   static constexpr double kMostBend = 0.8;
 
-  /// w |a - b| / sin w: edges of cells are longest at the corners of the icosahedron, across from them.
+  /// w |a - b| / sin w: edges of cells are longest across from the corners of the icosahedron.
   static constexpr double kLongestWay = kAngle * Icosahedron::kEdge / 0.9320390859672263;
 
  private:
   static Vec3 angles(const Vec3& lambda, double m) { return (m * lambda).array().asin(); }
 
-  /// m. Starts at the least of two upper bounds: asin(x) >= x, and no angle is above w.
+  /// Returns m. Newton's method starts at the lesser of two upper bounds, by asin(x) >= x and as no angle is
+  /// above w.
   static double scale(const Vec3& lambda) {
     constexpr double sine = 0.9320390859672263;  // sin w
     constexpr double negligible = 1e-9;          // the error is about ten times the square of the last step

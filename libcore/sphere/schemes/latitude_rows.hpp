@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Latitude rows with ever fewer entries towards the poles (a reduced grid), so that entries are as far apart
-// along a row as rows are.
+// Latitude rows with fewer and fewer entries towards the poles (a reduced grid), so that entries are as far
+// apart along a row as rows are.
 //
 // m rows at phi_i = (i + 1/2) h, h = pi / m; row i has n_i = round(2 pi sin(phi_i) / h) entries, at least 3,
 // at theta = 2 pi j / n_i. The first and last row have 3 and are turned by half a step: their gaps then do
-// not face those of the next row. Lookup is linear along the two rows next to the query and then linear in
+// not face gaps of the next row. Lookup is linear along the two rows next to the query and then linear in
 // phi. Inside of the first and the last row a pole stands for the missing row, with the mean of its 3
 // entries.
 #pragma once
@@ -35,8 +35,8 @@ class LatitudeRows : public RingInterpolation<LatitudeRows> {
   LatitudeRows() : LatitudeRows(180) {}
   static LatitudeRows with_precision(double degrees);
 
-  std::size_t rows() const { return rows_; }   // m, of equal latitude
-  std::size_t rings() const { return rows_; }  // the same
+  std::size_t rows() const { return rows_; }   // m
+  std::size_t rings() const { return rows_; }  // the name of rows() that RingWalker uses
   /// Entry numbers of row i begin at first(i); first(rows()) = size().
   std::size_t first(std::size_t row) const { return (*first_)[row]; }
   std::size_t row_size(std::size_t row) const { return first(row + 1) - first(row); }  // entries of a row
@@ -45,7 +45,7 @@ class LatitudeRows : public RingInterpolation<LatitudeRows> {
   double precision_deg() const { return 180.0 / static_cast<double>(rows_); }
   double row_height() const { return kPi / static_cast<double>(rows_); }  // radians
 
-  /// The rings by which entries are found.
+  /// Row k as a ring, for RingWalker.
   RingRow row(std::size_t k) const { return {first(k), row_size(k), k == 0 || k + 1 == rows_ ? 1U : 0U}; }
   Ring ring(std::size_t k) const { return {row(k), row_angle(k)}; }
   double ring_position(double phi) const { return phi / row_height() - 0.5; }
@@ -76,7 +76,7 @@ class LatitudeRows : public RingInterpolation<LatitudeRows> {
   double covering_radius() const { return covering_radius_; }
   double stencil_radius() const { return stencil_radius_; }
 
-  /// Share of the band half a step either way of the row.
+  /// The entry's share of the band half a step either way of its row.
   double area(std::size_t entry) const {
     const std::size_t row = ring_of(entry);
     const double height = 2.0 * row_angle(row).sin * std::sin(0.5 * row_height());

@@ -2,13 +2,12 @@
 // The equal-area octahedral map: each quarter of the sphere 90 q <= theta <= 90 (q + 1) degrees is a square
 // of n by n cells of equal area.
 //
-// Node (i, j) of the square of a northern point has r = (i + j) / n <= 1, z = 1 - r^2 and theta = 90 (q + j /
-// (i
-// + j)) degrees; beyond the diagonal i + j = n, the equator, the south mirrors it: r = 2 - (i + j) / n, z =
-// r^2
-// - 1 and theta = 90 (q + (n - i) / (2 n - i - j)). So ring s = i + j has 4 s entries, equally spaced, in the
-// north and 4 (2 n - s) in the south: 4 n^2 + 2 entries, numbered ring by ring. Lookup is bilinear in (i, j),
-// with one arctangent.
+// Node (i, j) of a square is at
+//   north, i + j <= n:  r = (i + j) / n,      z = 1 - r^2,  theta = 90 (q + j / (i + j)) degrees
+//   south, i + j >= n:  r = 2 - (i + j) / n,  z = r^2 - 1,  theta = 90 (q + (n - i) / (2 n - i - j)) degrees
+// The equator is the diagonal i + j = n. So ring s = i + j has 4 s entries in the north and 4 (2 n - s) in
+// the south, equally spaced: 4 n^2 + 2 entries, numbered ring by ring. A look-up is bilinear in (i, j), with
+// one arctangent.
 //
 // Precision is 90 / n degrees: 4 n entries stand on the equator.
 #pragma once
@@ -80,8 +79,7 @@ class OctahedralEqualArea {
     return passes_lines_once(from.u, to.u, most) && passes_lines_once(from.v, to.v, most);
   }
 
-  /// A quarter of each cell round the entry, of which there are four, but two at the four corners of the
-  /// equator.
+  /// A quarter of each cell round the entry: of four cells, or of two at the four corners of the equator.
   double area(std::size_t entry) const {
     const std::size_t first = ring(n_).first;
     const bool corner = entry >= first && entry < first + 4 * n_ && (entry - first) % n_ == 0;
@@ -144,7 +142,7 @@ class OctahedralEqualArea {
 
   double find_covering_radius() const;
 
-  /// Beyond it the limit of the covering radius for fine grids, which is larger by less than 1 %, is used.
+  /// With more rings the covering radius is taken from its limit for fine grids, larger by less than 1 %.
   static constexpr std::size_t kMostRings = 4096;
 
   std::size_t n_;

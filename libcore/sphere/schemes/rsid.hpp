@@ -71,10 +71,10 @@ class Rsid {
   /// phi)).
   double covering_radius() const;
 
-  /// The far corner of a cell: no farther than its diagonal, sides p and at most p.
+  /// The farthest tap is the far corner of a cell, whose sides are p and at most p.
   double stencil_radius() const { return std::sqrt(2.0) * spacing(); }
 
-  /// Share of the band half a step either way of the row; a pole's entries share its cap.
+  /// The entry's share of the band half a step either way of its row; the entries of a pole share its cap.
   double area(std::size_t entry) const {
     const std::size_t row = entry / columns();
     const bool pole = row == 0 || row == divisions_;
@@ -103,7 +103,7 @@ class Rsid {
   std::size_t divisions_ = 180;
 };
 
-/// Holds the sines and cosines of the grid lines, so that a filler computes each once.
+/// Computes the sine and cosine of each grid line once, for all triangles.
 class Rsid::Walker {
  public:
   /// Computes the sines and cosines of all rows and columns.

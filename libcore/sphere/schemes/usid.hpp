@@ -6,7 +6,8 @@
 // (w - 1) (1 - cos phi) / 2 exactly. T is not the arc length of the curve; entries at equal true arc length
 // are another scheme. Lookup is Algorithm 3.
 //
-// Away from the poles w rho^2 = 4 + pi^2 / 4: half the diagonal of 4 / k along the curve by pi / k across.
+// Away from the poles w rho^2 = 4 + pi^2 / 4: rho is half the diagonal of a rectangle, 4 / k along the curve
+// by pi / k across.
 #pragma once
 
 #include <cstddef>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // USID by the other reading of Eq. 9 and 10: k turns and w = k^2 entries "equally distributed along the
-// curve" (Section 4.3), equal steps of its true arc length L(phi) = E(phi | m = -4 k^2).
+// curve" (Section 4.3), at equal steps of its true arc length L(phi) = E(phi | m = -4 k^2).
 //
-// Usid has them at equal steps of Eq. 10's travelled distance T = (4 k + 1) (1 - cos phi) / 2, with which the
-// look-up by T is exact; here the look-up, Algorithm 3, takes the true place (w - 1) L(phi) / L(pi).
+// Usid has its entries at equal steps of Eq. 10's travelled distance T = (4 k + 1) (1 - cos phi) / 2, so that
+// its look-up by T is exact. Here the look-up, Algorithm 3, uses the true place (w - 1) L(phi) / L(pi).
 //
 // Turns are pi / k apart and entries L(pi) / (w - 1), near to 4 / k, along the curve: away from the poles
 // w rho^2 = 4 + pi^2 / 4 as in Usid.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Patches of schemes with rings of equal latitude that interpolate linearly in theta along two rings and then
-// linearly in phi: s = theta, t = phi, between the entries of both rings.
+// linearly in phi. A patch lies between entries of the two rings; s = theta, t = phi.
 //
-// On the unit sphere du/dphi has length 1 and no acceleration, du/dtheta has length sin(phi) and the
+// On the unit sphere du/dphi has length 1 and no acceleration; du/dtheta has length sin(phi) and the
 // acceleration sin(phi) |cos(phi)|.
 #pragma once
 
@@ -39,7 +39,7 @@ inline double largest_sine_cosine(double from, double to) {
 
 class AnglePatches {
  public:
-  /// Rings from the north to the south; a pole that is not a ring is joined to the nearest one.
+  /// Takes the rings from the north to the south. A pole that is not a ring is joined to the nearest ring.
   explicit AnglePatches(std::vector<AngleRing> rings) : rings_(std::move(rings)) {}
 
   template <class Visit>

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patches of cube maps: s and t are the coordinates of a face in which the grid is regular, part the face.
+// Patches of cube maps: s and t are the coordinates of a face in which the grid is regular; `part` is the
+// face.
 //
-// For fixed b the direction of (1, a, b) runs along a great circle, by atan(a / sqrt(B)) with B = 1 + b^2:
+// For fixed b the direction of (1, a, b) runs along a great circle, with the angle atan(a / sqrt(B)), B = 1 +
+// b^2:
 //   gnomonic, s = a:        way' = sqrt(B) / (B + a^2),  way'' = -2 a sqrt(B) / (B + a^2)^2
 //   equi-angular, a = tan(x): way' = sqrt(B) / (1 + b^2 cos^2 x),
 //                           way'' = sqrt(B) b^2 sin(2 x) / (1 + b^2 cos^2 x)^2
-// and the same with a and b changed.
+// For fixed a, exchange a and b.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +27,7 @@ namespace impinge {
 
 /// Least and largest absolute value of an interval.
 struct Magnitude {
-  /// From <= to.
+  /// `from` must not be above `to`.
   Magnitude(double from, double to)
       : least(from <= 0.0 && to >= 0.0 ? 0.0 : std::min(std::abs(from), std::abs(to))),
         most(std::max(std::abs(from), std::abs(to))) {}
@@ -33,19 +35,19 @@ struct Magnitude {
   double most;
 };
 
-/// First and second derivative of the way along a line by its coordinate, at most.
+/// Upper bounds on the first and second derivative of the way along a line by its coordinate.
 struct LineMotion {
   double way;   // radians a unit of the coordinate
   double turn;  // radians a unit squared
 };
-/// Along s = a, with t = b.
+/// Along s = a, where t = b.
 inline LineMotion line_motion(GnomonicCubeWarp, const Magnitude& a, const Magnitude& b) {
   const double most = std::sqrt(1.0 + b.most * b.most);
   const double least = 1.0 + b.least * b.least + a.least * a.least;
   // sqrt(B) / (B + a^2) falls with b above its largest, at B = a^2 <= 1: everywhere.
   return {std::sqrt(1.0 + b.least * b.least) / least, 2.0 * a.most * most / (least * least)};
 }
-/// Along s with t, where a and b are tan(pi / 4 s) and tan(pi / 4 t).
+/// Along s, where a = tan(pi / 4 s) and b = tan(pi / 4 t).
 inline LineMotion line_motion(EquiangularCubeWarp, const Magnitude& s, const Magnitude& t) {
   const double quarter = 0.25 * kPi;
   const double b_least = std::tan(quarter * t.least);
@@ -57,7 +59,7 @@ inline LineMotion line_motion(EquiangularCubeWarp, const Magnitude& s, const Mag
           quarter * quarter * root * b_most * b_most * std::sin(2.0 * quarter * s.most) / (least * least)};
 }
 
-/// Warps with a line_motion(). A cube map with another warp declares no patches.
+/// A warp with a line_motion(). A cube map with another warp declares no patches.
 template <class Warp>
 concept HasLineMotion = requires(const Magnitude& size) {
   { line_motion(Warp{}, size, size) } -> std::same_as<LineMotion>;

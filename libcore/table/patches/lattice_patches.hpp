@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Patches of the Fibonacci lattice: its Delaunay triangles, found by walking from each across its sides. On a
-// triangle of entries the interpolation is linear in the point of the flat triangle along the direction.
+// triangle the interpolation is linear in the point of the flat triangle along the direction.
 #pragma once
 
 #include <algorithm>
@@ -18,11 +18,11 @@ namespace impinge {
 
 class LatticePatches {
  public:
-  /// std::logic_error if the triangles that are found do not close round the sphere.
+  /// Finds all triangles. Throws std::logic_error if they do not close round the sphere.
   explicit LatticePatches(const Fibonacci& scheme) : scheme_(scheme), seen_(scheme.cells(), false) {
     find_from(scheme_.stencil(scheme_.direction(0) + scheme_.direction(1)));
     for (std::size_t k = 0; k < triangles_.size(); ++k) cross_sides(Triangle(triangles_[k]));
-    // Euler: a closed surface of triangles with N corners has 2 N - 4 of them.
+    // By Euler's formula a closed surface of triangles with N corners has 2 N - 4 of them.
     if (triangles_.size() + 4 != 2 * scheme_.size()) {
       throw std::logic_error("the triangles of a Fibonacci lattice do not close round the sphere");
     }
@@ -54,7 +54,7 @@ class LatticePatches {
     triangles_.push_back({stencil.entry[0], stencil.entry[1], stencil.entry[2]});
   }
 
-  /// A little beyond the middle of each side is the triangle across it.
+  /// Looks up the triangle across each side, at a direction a little beyond the middle of the side.
   void cross_sides(const Triangle& triangle) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 a = scheme_.direction(triangle[k]);

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patches of the octahedral equal-area map: s = u, t = v of the square of a quarter, part the quarter.
+// Patches of the octahedral equal-area map: s and t are u and v in the square of a quarter; `part` is the
+// quarter.
 //
-// North of the fold u + v = n, with r = (u + v) / n and m = u + v:
+// North of the fold u + v = n, with m = u + v and r = m / n:
 //   phi = 2 asin(r / sqrt(2)),  dphi/dr = g = sqrt(2) / sqrt(1 - r^2 / 2),  d^2phi/dr^2 = g r / (2 - r^2)
 //   theta = (pi / 2) v / m,     |dtheta/du| <= pi / (2 m),  |d^2theta/du^2| <= pi / m^2
 //   sin(phi) = r sqrt(2 - r^2) <= sqrt(2) m / n
-// and so, with q = v / m <= 1 for steps of u and u / m for those of v,
+// So, with q = v / m <= 1 for steps of u and q = u / m for steps of v,
 //   way^2  = (g / n)^2 + (pi q / (sqrt(2) n))^2
 //   turn   = hypot(g r / ((2 - r^2) n^2) + pi^2 q^2 / (2 sqrt(2) n m),
-//                  pi sqrt(2) q / (n m) + pi g q / (n m)):
-// no bound at the pole, m = 0. The south mirrors it. At the fold dtheta/du jumps by pi |n - 2 v| / (2 n^2) <=
-// pi / (2 n).
+//                  pi sqrt(2) q / (n m) + pi g q / (n m)),
+// without a bound at the pole, m = 0. The south mirrors this. At the fold dtheta/du jumps by
+// pi |n - 2 v| / (2 n^2) <= pi / (2 n).
 #pragma once
 
 #include <algorithm>

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Patches: how the interpolation of a scheme moves over the sphere, for proven bounds on its error.
 //
-// A patch is a rectangle of two coordinates (s, t) of the scheme's own, inside of one cell, on which the
-// interpolated value is linear in s for each t and linear in t for each s (but for `bend` below), while the
-// direction runs over u(s, t). Patches cover the sphere. A scheme declares them by
+// A patch is a rectangle of two coordinates (s, t) of the scheme's own choice, within one cell. On it the
+// interpolated value is linear in s for each t and linear in t for each s (but for `bend` below), and the
+// direction is u(s, t). Patches cover the sphere. A scheme declares them by
 //   patches_of(scheme)     the patches of a scheme, in an object with the other three
 //   for_each(visit)        calls visit(patch) for every patch
 //   at(patch, s, t)        the direction u(s, t), a vector of any length above zero
 //   motion(patch, rect)    bounds on how u and the weights move over a part of the patch
-// the first found by argument-dependent lookup. It is optional: without it a bound of first order holds for
-// any scheme (table_bound.hpp).
+// The first is found by argument-dependent lookup. Patches are optional: without them there is still a bound
+// of first order (table_bound.hpp).
 #pragma once
 
 #include <algorithm>
@@ -33,11 +33,11 @@ struct Rect {
 
 /// One patch of a scheme.
 struct Patch {
-  std::size_t part = 0;  // of the sphere; its meaning is the scheme's
+  std::size_t part = 0;  // of the sphere, such as a face; the scheme gives it its meaning
   Rect rect{};           // of the whole patch
 };
 
-/// Bounds over a rectangle, in each of its two directions, for a step h as wide as the rectangle.
+/// Bounds over a rectangle, along each of its two coordinates, for a step h as wide as the rectangle.
 struct PatchMotion {
   std::array<double, 2> way{};   // h |du/ds|, radians
   std::array<double, 2> turn{};  // h^2 |acceleration of u along the sphere|, radians

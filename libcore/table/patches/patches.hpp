@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The patches of the schemes of the library, and those of the flat cells of PlaneExactScheme.
+// The patches of the schemes of the library, and the patches of flat cells for a PlaneExactScheme.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ CubePatches<GnomonicCubeWarp> flat_patches_of(const CubeMap<Warp>& scheme) {
   return CubePatches<GnomonicCubeWarp>(std::move(lines));
 }
 
-/// The triangles on the flat faces.
+/// The triangles of an icosahedral grid are triangles on its flat faces.
 template <class Warp>
 IcosahedralPatches<Warp> flat_patches_of(const IcosahedralGrid<Warp>& scheme) {
   return {scheme.divisions(), true};

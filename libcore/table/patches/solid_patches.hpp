@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patches of interpolants that are linear on flat triangles or rectangles seen from the centre: how their
-// directions move, and the triangles of the icosahedral grids.
+// Patches of interpolants that are linear on flat triangles or rectangles seen from the centre: bounds on how
+// their directions move, and the triangles of the icosahedral grids.
 //
-// A triangle p, q, r is a rectangle one side of which is the point p: x(s, t) = p + s ((1 - t) (q - p) + t (r
-// - p)), straight in s and in t.
+// A triangle p, q, r is a rectangle with the point p for one side: x(s, t) = p + s ((1 - t) (q - p) + t (r -
+// p)) is straight in s and in t.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,8 @@ inline PatchMotion projected_motion(const ProjectedPatch& patch) {
     rate[k] = std::max(chord[k][0].norm(), chord[k][1].norm()) + 0.5 * patch.bending[k] +
               0.25 * patch.bending[1 - k];
   }
-  // From the mean of the corners, which is off x by a quarter of the bending at the most.
+  // How far x can be from the mean of the corners, which is off the middle by a quarter of the bending at
+  // most.
   const double spread = 0.5 * (rate[0] + rate[1]) + 0.25 * (patch.bending[0] + patch.bending[1]);
   const double least = middle.norm() - spread;
   PatchMotion motion;
@@ -58,12 +59,12 @@ inline PatchMotion projected_motion(const ProjectedPatch& patch) {
   return motion;
 }
 
-/// Triangles of an icosahedral grid. `flat`: on the flat face, for the `mesh_exact` interpolant, at() is then
-/// a point of the icosahedron; else in the fractions of the warp.
+/// The triangles of an icosahedral grid. If `flat`, they lie on the flat faces, for the `mesh_exact`
+/// interpolant, and at() is a point of the icosahedron; else they lie in the fractions of the warp.
 template <class Warp>
 class IcosahedralPatches {
  public:
-  /// Of the grid that divides an edge into so many steps.
+  /// For the grid that divides each edge into so many steps.
   IcosahedralPatches(std::size_t divisions, bool flat) : n_(divisions), flat_(flat || Warp::kFlatCells) {}
 
   template <class Visit>
@@ -99,7 +100,7 @@ class IcosahedralPatches {
   }
   std::size_t face_of(const Patch& patch) const { return patch.part / (2 * n_ * n_); }
 
-  /// Barycentric coordinates of its corners: on the flat face, or the fractions.
+  /// Barycentric coordinates of the corners of the patch, on the flat face, or their fractions.
   std::array<Vec3, 3> nodes(const Patch& patch) const {
     const std::size_t place = patch.part / 2;
     const std::size_t i = place / n_ % n_;

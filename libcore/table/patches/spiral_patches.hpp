@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Patches of spirals: s is the azimuth in turns, t the share of the way from the turn above to the turn
-// below, part 1 + the whole turns above.
+// below; `part` is 1 + the number of whole turns above.
 //
-// With x = the turn of the point (azimuth in turns from the north pole on, a fraction between two turns of
-// the curve), u lies at phi = polar(x), theta = 2 pi s, and x = a + t (b - a), where a = part - 1 + s is the
-// turn above or the north pole, b the turn below or the south pole. a and b rise with s by 1 or 0, b - a <=
-// 1. Hence along t, with P', P'' derivatives of polar(x),
+// Let polar(x) be the polar angle at turn x, with the derivatives P' and P''. The direction u has
+// phi = polar(x), theta = 2 pi s with x = a + t (b - a), where a = part - 1 + s is the turn above or the
+// north pole, and b the turn below or the south pole. As a and b rise with s by 1 or 0, and b - a <= 1, along
+// t
 //   way <= P',  turn <= |P''|,
 // and along s
 //   way <= hypot(P', 2 pi sin(phi)),
 //   turn <= hypot(|P''| + 4 pi^2 sin(phi) |cos(phi)|, 4 pi P' |cos(phi)|).
-// Along a turn weights are linear in the place of the point among the entries, q(x) = place(polar(x)), not in
-// s: sum |w''| / 2 <= max |q''|.
+// Along a turn weights are linear in the place among the entries, q(x) = place(polar(x)), and not in s: sum
+// |w''| / 2 <= max |q''|.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@
 
 namespace impinge {
 
-/// P', |P''| and |q''| of a placement between two polar angles, at most.
+/// Upper bounds on P', |P''| and |q''| of a placement between two polar angles.
 struct TurnRates {
   double polar;       // P', radians a turn
   double polar_bend;  // |P''|
@@ -78,7 +78,7 @@ class SpiralPatches {
     std::vector<double> turn(entries);
     for (std::size_t i = 0; i < entries; ++i)
       turn[i] = placement_.turn(placement_.polar_angle(static_cast<double>(i)));
-    std::size_t first = 0;  // entry from which on a turn above may have lines
+    std::size_t first = 0;  // the first entry that may divide the turn above
     for (std::size_t part = 0; static_cast<double>(part) - 1.0 < placement_.turns(); ++part) {
       const double above = static_cast<double>(part) - 1.0;
       while (first < entries && turn[first] < above) ++first;
@@ -121,7 +121,7 @@ class SpiralPatches {
     return a + t * std::max(b - a, 0.0);
   }
 
-  /// Between the azimuths of the entries of the turn above and of the turn below, as far as the curve goes.
+  /// Visits the patches between two turns, divided at the azimuths of the entries of both.
   template <class Visit>
   void visit_turn(std::size_t part, const std::vector<double>& turn, std::size_t first, Visit&& visit) const {
     const double above = static_cast<double>(part) - 1.0;
@@ -134,7 +134,7 @@ class SpiralPatches {
       add(turn[i] - above);
       add(turn[i] - above - 1.0);
     }
-    add(placement_.turns() - above - 1.0);  // from there on the south pole is below
+    add(placement_.turns() - above - 1.0);  // where the south pole begins to be below
     std::ranges::sort(lines);
     for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
       if (lines[k + 1] > lines[k]) visit(Patch{part, {{lines[k], 0.0}, {lines[k + 1], 1.0}}});
