@@ -16,7 +16,7 @@ TOPICS = {
     ),
     "Stiff and extreme cases": ("stability-", "turns-"),
     "What one question needs": ("scene-needs", "needs-", "build-"),
-    "Range of motion, shape and cartilage": ("motion-", "cohort-", "strain-", "joint-"),
+    "Range of motion, shape and cartilage": ("motion-", "certified-", "cohort-", "strain-", "joint-"),
     "Sampling schemes and band limits": (
         "scheme-", "covering-", "band-limit", "slice-", "power-", "weighted-", "conchoid-",
     ),
