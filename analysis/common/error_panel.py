@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One panel of error against cost: a line for each method with the settings written at its points, and proven bounds as ticks.
-Rows have line, step (the words at a point), error, cost and bound.
+"""One panel of error against cost: a line a method, proven bounds as ticks. Rows have line, error, cost and bound, and where lines
+are named, name.
 """
 
+import math
 from dataclasses import dataclass
 
 import matplotlib.pyplot as plt
@@ -11,51 +12,46 @@ import pandas as pd
 
 import common
 
-LINE = 10.5  # points between labels that would cover one another
-NOTE = 6.5  # points of the words at a point
+LINE = 11.0  # points between names that would cover one another
 
 
 @dataclass(frozen=True)
 class Errors:
-    """The axis of errors. Values below `least` are drawn at `least`; the name of a line that ends beyond `near` is on the
-    right."""
+    """The axis of errors: what is less than `least` stands there."""
 
     least: float
-    near: float
     label: str
     ticks: dict[float, str] | None = None  # of a logarithmic axis; without them it is linear
     most: float = np.inf  # where bounds are cut off
 
 
-MICROMETRES = Errors(
-    1e-3, 0.1, "largest error of a gap", {1e-3: "≤ 1 nm", 0.1: "0.1 µm", 10.0: "10 µm", 1e3: "1 mm"}, 2e4
-)
-DEGREES = Errors(1e-7, 1e-5, "largest error, degrees", {1e-7: "≤ 1e-7", 1e-5: "1e-5", 1e-3: "0.001", 0.1: "0.1", 10.0: "10"})
-PERCENT = Errors(0.0, 0.2, "overlaps missed or invented, % of poses", most=100.0)
+MICROMETRES = Errors(1e-3, "largest error of a gap", {1e-3: "≤ 1 nm", 0.1: "0.1 µm", 10.0: "10 µm", 1e3: "1 mm"}, 2e4)
+DEGREES = Errors(1e-7, "largest error, degrees", {1e-7: "≤ 1e-7", 1e-5: "1e-5", 1e-3: "0.001", 0.1: "0.1", 10.0: "10"})
+PERCENT = Errors(0.0, "overlaps missed or invented, % of poses", most=100.0)
 
 
-def grid_of(lines: int, height: float, foot: str) -> tuple[plt.Figure, np.ndarray]:
-    """Rows of two panels, each with room for its labels on the right, and words below all of them."""
-    figure, grid = plt.subplots(lines, 2, figsize=(common.WIDTH, height * lines), squeeze=False)
-    inch = 1.0 / height / lines
-    figure.subplots_adjust(left=0.07, right=0.865, bottom=0.85 * inch, top=1.0 - 0.3 * inch, wspace=0.68, hspace=0.32)
-    figure.text(0.01, 0.06 * inch, foot, fontsize=common.SMALL)
+def grid_of(title: str, foot: str, height: float, below: float, wide: float) -> tuple[plt.Figure, np.ndarray]:
+    """Two lines of two panels of that height in inches, `below` inches for words and a legend under them; `wide` is the share of
+    a panel's width that is kept free at its right.
+    """
+    whole = 2 * height + below + 0.3
+    figure, grid = plt.subplots(2, 2, figsize=(common.WIDTH, whole), squeeze=False)
+    right = 1.0 - 0.43 * wide
+    figure.subplots_adjust(left=0.075, right=right, bottom=(below + 0.5) / whole, top=1.0 - 0.55 / whole, wspace=0.2 + wide, hspace=0.34)
+    figure.suptitle(title, x=0.01, y=1.0 - 0.02 / whole, ha="left", va="top", fontsize=12)
+    figure.text(0.01, 0.05 / whole, foot, fontsize=common.SMALL, va="bottom")
     return figure, grid
 
 
 def draw(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict) -> None:
-    """Draws the panel without its title and the label of the cost."""
-    rows = rows[np.isfinite(rows.error)].copy()
-    rows["x"] = rows.error.clip(lower=errors.least)
-    rows["bound"] = rows.bound.clip(errors.least, errors.most)
+    """All of it but title, label of the cost, and names."""
+    rows = placed(rows, errors)
     axes.set(yscale="log", xscale="log" if errors.ticks else "linear", xlabel=errors.label)
     for line, group in rows.groupby("line", sort=False):
         look = looks[line]
-        group = group.sort_values("x", ascending=False, kind="stable")
-        axes.plot(group.x, group.cost, **look, markersize=4.5, linewidth=1.2, zorder=3)
-        for row in group[np.isfinite(group.bound)].itertuples():
-            axes.plot([row.x, row.bound], [row.cost] * 2, color=look["color"], linewidth=0.35, alpha=0.6, zorder=1)
-            axes.plot(row.bound, row.cost, "|", color=look["color"], markersize=6, markeredgewidth=1.2, zorder=2)
+        axes.plot(group.x, group.cost, **look, markersize=5, linewidth=1.2, zorder=3)
+        bounded = group[np.isfinite(group.bound)]
+        axes.plot(bounded.bound, bounded.cost, "|", linestyle=":", color=look["color"], markersize=6, linewidth=0.8, zorder=2)
     if errors.ticks:
         axes.set_xticks(list(errors.ticks), list(errors.ticks.values()))
         axes.set_xlim(errors.least / 2, max(axes.get_xlim()[1], 2 * max(errors.ticks)))
@@ -63,53 +59,45 @@ def draw(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict) -> Non
     else:
         axes.set_xlim(-1.0, max(10.0, 1.1 * rows.x.max()))
     low, high = axes.get_ylim()
-    axes.set(xlim=axes.get_xlim(), ylim=(low / 1.3, high * 1.5))
-    write_steps(axes, rows, looks)
-    label(axes, rows, errors, looks)
+    span = high / low
+    axes.set(xlim=axes.get_xlim(), ylim=(low / span**0.12, high * span**0.03))
+    costs(axes)
 
 
-def write_steps(axes: plt.Axes, rows: pd.DataFrame, looks: dict) -> None:
-    """Writes the words at the points, the ends of a line first. Leaves out words that would cover others."""
-    taken = []
-    place = rows.groupby("line").cumcount()
-    ends = (place == 0) | (rows.groupby("line").cumcount(ascending=False) == 0)
-    for row in pd.concat([rows[ends], rows[~ends]]).itertuples():
-        x, y = axes.transData.transform((row.x, row.cost)) * 72.0 / axes.figure.dpi
-        width = 0.65 * NOTE * len(row.step)
-        for rise in (4.0, -9.5):
-            box = (x - width / 2, y + rise, x + width / 2, y + rise + NOTE)
-            if all(box[0] > b[2] or box[2] < b[0] or box[1] > b[3] or box[3] < b[1] for b in taken):
-                colour = looks[row.line]["color"]
-                common.note(axes, row.step, (row.x, row.cost), (0, rise), ha="center", fontsize=NOTE, color=colour, zorder=4)
-                taken.append(box)
-                break
+def placed(rows: pd.DataFrame, errors: Errors) -> pd.DataFrame:
+    """What has an error, from coarse to fine along each line; x is its place."""
+    rows = rows[np.isfinite(rows.error)]
+    rows = rows.assign(x=rows.error.clip(lower=errors.least), bound=rows.bound.clip(errors.least, errors.most))
+    return rows.sort_values("x", ascending=False, kind="stable")
 
 
-def label(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict) -> None:
-    """Writes names on the right, or beside what is near to exact, moved up or down until none covers another."""
-    figure = axes.figure
-    ends = rows.sort_values("x", kind="stable").drop_duplicates("line", keep="last")
-    for near in (True, False):
-        own = ends[(ends.x < errors.near) == near].sort_values("cost")
-        if own.empty:
-            continue
-        points = axes.transData.transform(np.column_stack([own.x, own.cost])) * 72.0 / figure.dpi
-        heights = spread(points[:, 1])
-        right = axes.bbox.x1 * 72.0 / figure.dpi + 5.0
-        for row, at, height in zip(own.itertuples(), points, heights):
-            colour = looks[row.line]["color"]
-            leader = {"arrowstyle": "-", "color": colour, "linewidth": 0.5, "alpha": 0.7}
-            common.note(
-                axes,
-                row.line,
-                (row.x, row.cost),
-                (8.0 if near else right - at[0], height - at[1]),
-                va="center",
-                color=colour,
-                path_effects=common.drawing.HALO,
-                zorder=5,
-                arrowprops=None if near else leader,
-            )
+def costs(axes: plt.Axes) -> None:
+    """Ticks of a logarithmic axis as numbers: 1, 2, 5 in each decade, or the decades where those would be too many."""
+    low, high = axes.get_ylim()
+    decades = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    for steps in ((1, 2, 5), (1,)):
+        ticks = [step * 10.0**k for k in decades for step in steps if low <= step * 10.0**k <= high]
+        if len(ticks) <= 7:
+            break
+    axes.set_yticks(ticks, [f"{tick:,.10g}" for tick in ticks])
+    axes.minorticks_off()
+
+
+def name_lines(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict, apart: bool = False) -> None:
+    """The name of each line at the right of its last point; in the right half of the panel below that point or, if `apart`, at the
+    right of the panel. Moved up or down until none covers another.
+    """
+    ends = placed(rows, errors).sort_values(["x", "cost"], ascending=[False, True]).drop_duplicates("line").sort_values("cost")
+    points = axes.transData.transform(np.column_stack([ends.x, ends.cost])) * 72.0 / axes.figure.dpi
+    left, right = axes.bbox.x0 * 72.0 / axes.figure.dpi, axes.bbox.x1 * 72.0 / axes.figure.dpi
+    below = (points[:, 0] > (left + right) / 2) & (not apart)
+    for row, at, height, lower in zip(ends.itertuples(), points, spread(points[:, 1] - LINE * below), below):
+        look = {"va": "center", "color": looks[row.line]["color"], "ha": "right" if lower else "left", "path_effects": common.drawing.HALO}
+        away = 4.0 if lower else 8.0
+        if apart and at[0] > (left + right) / 2:
+            away = right + 5.0 - at[0]
+            look["arrowprops"] = {"arrowstyle": "-", "color": look["color"], "linewidth": 0.5, "shrinkB": 4}
+        common.note(axes, row.name, (row.x, row.cost), (away, height - at[1]), **look)
 
 
 def spread(heights: np.ndarray) -> np.ndarray:

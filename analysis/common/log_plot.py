@@ -64,10 +64,11 @@ def draw(lines: pd.DataFrame, key: str, ticks: dict[float, str], x_title: str, t
         measured = group[~group.extrapolated]
         exponents = []
         if len(measured) > 1:
-            exponents.append(f"exponent {slope(measured[key], measured.measured_ms):.2f}")
+            exponents.append(f"power {slope(measured[key], measured.measured_ms):.2f}")
         if np.isfinite(group.thesis_ms).any():
             exponents.append(f"thesis {slope(group[key], group.thesis_ms):.2f}")
         text = ": ".join([common.label(method), ", ".join(exponents)]) if exponents else common.label(method)
+        text = text.replace(" -", " −")
         legend.append(common.key(text, **look))
     legend.append(
         common.key(
@@ -89,7 +90,9 @@ def draw(lines: pd.DataFrame, key: str, ticks: dict[float, str], x_title: str, t
             )
         )
     axes.set(xscale="log", yscale="log", xlabel=x_title, ylabel="time, ms", title=title)
+    axes.yaxis.set_major_formatter(lambda value, _: f"{value:,g}")
     axes.set_xticks(list(ticks), list(ticks.values()))
     axes.minorticks_off()
-    axes.legend(handles=legend, loc="upper left", bbox_to_anchor=(-0.15, -0.2))
+    title = f"time grows with this power of the {key}"
+    axes.legend(handles=legend, loc="upper left", bbox_to_anchor=(-0.15, -0.2), title=title, alignment="left")
     return figure

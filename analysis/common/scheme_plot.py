@@ -62,52 +62,67 @@ def dots(
 
 
 def name_points(axes: plt.Axes, x: pd.Series, y: pd.Series, names: list[str]) -> None:
-    """Writes a name near each point, joined to it by a thin line, where it covers no point and no other name."""
+    """A name near each point, joined to it by a thin line: the nearest place where both cover least of points, names and lines."""
     axes.figure.canvas.draw()
     points = axes.transData.transform(np.column_stack([x, y]))
     frame = axes.get_window_extent()
     taken = [(px - 5, py - 4, px + 5, py + 4) for px, py in points]
-    for k in np.argsort(points[:, 1]):
-        found = None
+    lines: list[np.ndarray] = []
+    for k in np.argsort(-np.abs(points[:, 1] - np.median(points[:, 1]))):
+        best = None
         for dx, dy in _offsets():
-            text = common.note(
-                axes,
-                names[k],
-                (x.iloc[k], y.iloc[k]),
-                (dx, dy),
-                ha="left" if dx > 0 else "right" if dx < 0 else "center",
-                va="center",
-                bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.85},
-                arrowprops={
-                    "arrowstyle": "-",
-                    "color": "#999999",
-                    "linewidth": 0.6,
-                    "shrinkA": 0,
-                    "shrinkB": 4,
-                },
-            )
+            text = _name(axes, names[k], (x.iloc[k], y.iloc[k]), (dx, dy))
             text.get_window_extent()  # puts it in its place
             box = Text.get_window_extent(text)  # of the words, without the line to the point
+            text.remove()
             outside = box.x0 < frame.x0 or box.x1 > frame.x1 or box.y0 < frame.y0 or box.y1 > frame.y1
-            covered = 10 * outside + sum(
-                box.x0 < x1 and x0 < box.x1 and box.y0 < y1 and y0 < box.y1
-                for i, (x0, y0, x1, y1) in enumerate(taken)
-                if i != k
-            )
-            if found is not None and covered >= found[0]:
-                text.remove()
-                continue
-            if found is not None:
-                found[1].remove()
-            found = (covered, text, (box.x0, box.y0, box.x1, box.y1))
-            if covered == 0:
+            area = (box.x0, box.y0, box.x1, box.y1)
+            end = np.clip(points[k], (box.x0, box.y0), (box.x1, box.y1))
+            line = points[k] + (end - points[k]) * np.linspace(0, 1, 30)[:, None]
+            others = [other for i, other in enumerate(taken) if i != k]
+            cost = 10 * outside + 2 * _meet(area, taken[k]) + sum(2 * _meet(area, other) + _inside(line, other) for other in others)
+            cost += sum(2 * _inside(other, area) + _cross(line, other) for other in lines)
+            if best is None or cost < best[0]:
+                best = (cost, (dx, dy), area, line)
+            if cost == 0:
                 break
-        taken.append(found[2])
+        _name(axes, names[k], (x.iloc[k], y.iloc[k]), best[1])
+        taken.append(best[2])
+        lines.append(best[3])
+
+
+def _name(axes: plt.Axes, name: str, at: tuple, offset: tuple[float, float]) -> Text:
+    """The words and their line."""
+    dx, _ = offset
+    leader = {"arrowstyle": "-", "color": common.THESIS_GREY, "linewidth": 0.6, "shrinkA": 0, "shrinkB": 4}
+    look = {"va": "center", "arrowprops": leader, "path_effects": common.drawing.HALO, "zorder": 4}
+    return common.note(axes, name, at, offset, ha="left" if dx > 0 else "right" if dx < 0 else "center", **look)
+
+
+def _meet(a: tuple, b: tuple) -> bool:
+    """Whether two boxes (x0, y0, x1, y1) overlap."""
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
+def _inside(line: np.ndarray, box: tuple) -> bool:
+    """Whether points (n, 2) of a line lie in a box."""
+    return bool(((line > box[:2]) & (line < box[2:])).all(axis=1).any())
+
+
+def _cross(a: np.ndarray, b: np.ndarray) -> bool:
+    """Whether two straight lines, given by points on them, cross."""
+
+    def side(line: np.ndarray, point: np.ndarray) -> float:
+        (x0, y0), (x1, y1) = line[0], line[-1]
+        return np.sign((x1 - x0) * (point[1] - y0) - (y1 - y0) * (point[0] - x0))
+
+    return side(a, b[0]) != side(a, b[-1]) and side(b, a[0]) != side(b, a[-1])
 
 
 def _offsets() -> list[tuple[float, float]]:
-    """Places for a name, in points from its own point: near before far, right before left."""
-    return [(dx, dy) for away in (0, 10, 20, 32, 46, 62) for dy in dict.fromkeys((away, -away)) for dx in (9, -9, 26)]
+    """Where a name may stand, in points from its own: near before far, right before left, then above and below."""
+    near = [(9, 0), (-9, 0), (0, 11), (0, -11)]
+    return near + [(dx, dy) for away in (10, 18, 28, 40, 55, 72, 90) for dy in (away, -away) for dx in (9, -9, 30, -30)]
 
 
 def panels(

@@ -13,7 +13,7 @@ import common
 from common import hip, render
 from common.drawing import INK
 
-FAINT = "#8a8a8a"
+FAINT = "#505050"
 LARGEST = 106.0  # degrees from the pole, where the map ends
 
 

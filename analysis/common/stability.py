@@ -18,11 +18,11 @@ OURS = ["exact", "tables, 0.1° or finer", "tables, 1°", "tables, coarser"]
 STEPS = {1.0: "exact test in steps of 1°", 0.1: "exact test in steps of 0.1°"}
 OTHERS = {
     "vertex_gaps_in_steps": "thesis: gaps of vertices in steps",
-    "radius_as_eq_11": "short cuts",
-    "speed_as_eq_12": "short cuts",
-    "float_before_centre": "short cuts",
-    "azimuths_in_float": "short cuts",
-    "azimuths_summed": "short cuts",
+    "radius_as_eq_11": "as printed, or in float",
+    "speed_as_eq_12": "as printed, or in float",
+    "float_before_centre": "as printed, or in float",
+    "azimuths_in_float": "as printed, or in float",
+    "azimuths_summed": "as printed, or in float",
     "pairwise": "every face, in double",
     "embree_robust": "Embree, robust",
     "embree_fast": "Embree, fast",
@@ -32,6 +32,8 @@ OTHERS = {
     "ode_collide": "ODE (OPCODE)",
     "vtk_collide": "VTK",
 }
+# What holds, what is left open and what fails: light, middling and dark, so that it is read in grey too.
+HOLDS, OPEN, FAILS = "#CFE8F5", "#E3AE33", "#A5300B"
 COLUMNS = [*OURS, *STEPS.values(), *dict.fromkeys(OTHERS.values())]
 
 

@@ -107,6 +107,16 @@ def scenes(rows: pd.DataFrame) -> dict[str, str]:
     return found
 
 
+def scene_title(scene: str) -> str:
+    """What a reader calls a scene: "a synthetic normal hip, 12,000 triangles a bone"."""
+    *words, count = scene.removeprefix(fast.HIPS).split("_")
+    if scene.startswith(fast.HIPS):
+        return f"a synthetic {' '.join(words)} hip, {int(count):,} triangles a bone"
+    if scene.startswith("generated_"):
+        return f"a generated ball and socket, {int(count):,} triangles each"
+    return f"the real joint {scene.replace('_', ' ')}"
+
+
 def fastest(rows: pd.DataFrame, column: str) -> pd.DataFrame:
     """One point per line and setting; of Embree's rays only the fastest."""
     embree = rows.line == "Embree"

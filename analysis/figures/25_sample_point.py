@@ -52,7 +52,7 @@ def draw_point(axes: plt.Axes, face: np.ndarray, point: np.ndarray, entry: pd.Se
     origin = FROM_BESIDE.see(np.zeros(3))
     seen = FROM_BESIDE.see(face)
     for corner, name, offset in zip(seen, "abc", ((-2, 9), (9, -5), (-9, 5))):
-        axes.plot(*np.array([origin, corner]).T, color="#b0b0b0", linewidth=0.8, zorder=1)
+        axes.plot(*np.array([origin, corner]).T, color=common.THESIS_GREY, linewidth=0.8, zorder=1)
         diagram.note(axes, corner, name, offset, fontsize=11)
     diagram.polygon(axes, seen, facecolor=diagram.FILL["socket"], edgecolor=diagram.SOCKET)
     for axis, name in zip(np.eye(3), "xyz"):
@@ -62,7 +62,7 @@ def draw_point(axes: plt.Axes, face: np.ndarray, point: np.ndarray, entry: pd.Se
     diagram.dots(axes, origin[None], marker="s", markersize=5)
     diagram.note(axes, origin, "centre of\nrotation", (-6, -19), fontsize=8.5)
     diagram.note(axes, FROM_BESIDE.see(point), "sample\npoint", (29, 8), fontsize=9, color=diagram.POLE)
-    diagram.note(axes, FROM_BESIDE.see(0.55 * point), f"d = {entry.met_mm:.2f} mm", (2, -16), color=diagram.POLE)
+    diagram.note(axes, FROM_BESIDE.see(0.55 * point), f"d = {entry.met_mm:.2f} mm", (34, -12), color=diagram.POLE)
     everything = np.vstack([seen, origin[None], FROM_BESIDE.see(9 * np.eye(3))])
     diagram.frame(axes, everything, room=0.05)
     diagram.title(axes, f"a) φ = {entry.phi:g}°, θ = {entry.theta:g}°:\nLUT[{entry.row}][{entry.column}] = d")

@@ -37,9 +37,9 @@ def draw_sphere(axes: plt.Axes, corner: pd.Series) -> None:
     """The sphere of the vertex, its equator and meridians, and the three axes."""
     radius = corner.radius_mm
     for theta in np.arange(0, 360, 30):
-        axes.plot(*EYE.see(arc((0, 180), (theta, theta), radius)).T, color="#d4d4d4", linewidth=0.6, zorder=1)
+        axes.plot(*EYE.see(arc((0, 180), (theta, theta), radius)).T, color=common.THESIS_GREY, linewidth=0.4, zorder=1)
     for phi in np.arange(30, 180, 30):
-        look = {"color": "#909090", "linewidth": 1.0} if phi == 90 else {"color": "#d4d4d4", "linewidth": 0.6}
+        look = {"color": "#707070", "linewidth": 1.0} if phi == 90 else {"color": common.THESIS_GREY, "linewidth": 0.4}
         axes.plot(*EYE.see(arc((phi, phi), (0, 360), radius)).T, zorder=1, **look)
     for axis, name in zip(np.eye(3), ("x", "y", "z, φ = 0°")):
         diagram.arrow(axes, (0, 0), EYE.see(1.32 * radius * axis), name)

@@ -58,8 +58,8 @@ def draw_space(axes: plt.Axes, faces: np.ndarray, chosen: dict[str, int]) -> Non
         diagram.note(axes, flat[face].mean(axis=0), letter, fontsize=10, weight="bold")
     eye = diagram.Eye(EYE)
     diagram.arrow(axes, eye.see([0, 0, 22]), eye.see([0, 0, 32]), "z, φ = 0°")
-    diagram.arrow(axes, eye.see([23, 0, 0]), eye.see([33, 0, 0]), "x, θ = 0°")
-    diagram.frame(axes, np.vstack([flat.reshape(-1, 2), eye.see([[0, 0, 36], [34, 0, 0]])]), room=0.03)
+    diagram.arrow(axes, eye.see([23, 0, 0]), eye.see([46, 0, 0]), "x, θ = 0°")
+    diagram.frame(axes, np.vstack([flat.reshape(-1, 2), eye.see([[0, 0, 36], [50, 0, 0]])]), room=0.03)
 
 
 def draw_chart(axes: plt.Axes, chart: pd.DataFrame, chosen: dict[str, int]) -> None:

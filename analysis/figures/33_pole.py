@@ -62,7 +62,7 @@ def diagram_from_above(axes: plt.Axes, corners) -> None:
     reach = 1.12 * np.linalg.norm(points, axis=1).max()
     for theta in range(0, 360, 30):
         tip = reach * diagram.direction(90, theta)[:2]
-        axes.plot(*np.array([(0, 0), tip]).T, color="#c4c4c4", linewidth=0.7, zorder=1)
+        axes.plot(*np.array([(0, 0), tip]).T, color=common.THESIS_GREY, linewidth=0.7, zorder=1)
         if theta % 90 == 0:
             diagram.note(axes, tip, f"θ = {theta}°", 11 * tip / reach, fontsize=8.5)
     diagram.polygon(axes, points, facecolor="#9CC9E8", linewidth=1.8, alpha=0.75)

@@ -21,6 +21,7 @@ CASES = {
     "pole_at_vertex": "case 1: pole a corner\nof six triangles",
 }
 SEAM = "seam"
+FILLED = "#b4b4b4"
 
 
 def main(options) -> common.Figure:
@@ -36,7 +37,7 @@ def main(options) -> common.Figure:
         regions = pieces(chart[chart.name == name])
         from_above(space, faces, name)
         entries = diagram_chart.of_face(coverage, name)
-        diagram_chart.cells(flat, entries[entries.drawn], facecolors="#d9d9d9", linewidth=0.1)
+        diagram_chart.cells(flat, entries[entries.drawn], facecolors=FILLED, linewidth=0.1)
         draw_regions(flat, regions)
         for face in faces:
             diagram_chart.true_edges(flat, face)
@@ -46,12 +47,12 @@ def main(options) -> common.Figure:
         diagram_chart.chart_axes(flat)
         flat.set(ylabel="φ, degrees", xlabel=diagram_chart.THETA if row == 2 else "")
         diagram_chart.turns(flat)
-        flat.set(ylim=(max(region[:, 1].max() for region, _ in regions) + 1.5, -0.5))
+        flat.set(ylim=(max(region[:, 1].max() for region, _ in regions) + 2.4, -0.5))
         flat.yaxis.set_major_locator(MultipleLocator(5 if name == "pole_at_vertex" else 2))
     seam([figure.add_subplot(grid[4, column]) for column in range(3)], corners, chart, coverage)
     handles = [
         *(Patch(**look, edgecolor=diagram.INK, label=f"part {k + 1}") for k, look in enumerate(diagram.PARTS)),
-        Patch(facecolor="#d9d9d9", edgecolor="white", label="entries filled (table at 1°)"),
+        Patch(facecolor=FILLED, edgecolor="white", label="entries filled (table at 1°)"),
         common.key("edges as they are", color="black", linewidth=1.3, linestyle="--"),
     ]
     figure.legend(handles=handles, loc="lower center", ncol=5, fontsize=9)
@@ -126,7 +127,7 @@ def seam(panels: list[plt.Axes], corners, chart, coverage) -> None:
     )
     diagram_chart.turns(direct, step=90)
     unrolled = entries[entries.drawn].assign(column=lambda e: np.where(e.column > 180, e.column - 360, e.column))
-    diagram_chart.cells(flat, unrolled, facecolors="#d9d9d9", linewidth=0.3)
+    diagram_chart.cells(flat, unrolled, facecolors=FILLED, linewidth=0.3)
     region = chart.loc[chart.name == SEAM, ["theta_deg", "phi_deg"]].to_numpy()
     region[:, 0] -= 360 * np.round(region[:, 0].mean() / 360)
     diagram.polygon(flat, region, alpha=0.6, zorder=3, **diagram.PARTS[0])

@@ -32,7 +32,7 @@ def main(options) -> common.Figure:
                 front,
             ),
         ]
-    figure, _ = panels.sheet([row], f"A ball-and-socket joint, {joint.side} side: {hip.title(joint.name)}")
+    figure, _ = panels.sheet([row], f"A ball-and-socket joint, {joint.side} side\n{hip.title(joint.name)}")
     handles = [Patch(color=hip.BALL, label="ball"), Patch(color=hip.SOCKET, label="socket")]
     figure.legend(handles=handles, loc="lower center", ncol=2, title=hip.WAYS, title_fontsize=8, fontsize=9)
     return figure

@@ -32,7 +32,8 @@ def main(options) -> common.Figure:
     axes[2].set_title(f"c) surface: {faces['ball']:,} and\n{faces['socket']:,} triangles", loc="center", fontsize=9.5)
     handles = [common.key(name, color=colour) for name, colour in LINES.items()]
     figure.legend(handles=handles, loc="lower center", ncol=2, fontsize=9)
-    figure.subplots_adjust(left=0.06, right=0.99, top=0.86, bottom=0.16, wspace=0.08)
+    figure.suptitle("From the slices of a simulated CT scan to the surfaces of a generated hip", fontsize=10.5)
+    figure.subplots_adjust(left=0.06, right=0.99, top=0.8, bottom=0.16, wspace=0.08)
     return figure
 
 

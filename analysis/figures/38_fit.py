@@ -30,7 +30,7 @@ def main(options) -> common.Figure:
     shades = render.Shades(np.array([LEFT_OUT, FITTED]), (0.0, 1.0))
     region = render.scalar_surface(head.ball, head.fitted.astype(float), shades)
     bone = render.plain_surface(head.ball, hip.BALL)
-    wires = render.rings(hip.sphere_rings(fit.radius_mm), WIRES, 1.4)
+    wires = render.rings(hip.sphere_rings(1.01 * fit.radius_mm), WIRES, 1.4)
     front, above = (hip.view(name, joint, [head.ball]) for name in ("anterior", "superior"))
     with render.screen():
         row = [
@@ -45,8 +45,8 @@ def main(options) -> common.Figure:
     )
     figure, _ = panels.sheet([row], heading)
     handles = [
-        Patch(color=FITTED, label="fitted: found without a hand"),
-        Patch(color=LEFT_OUT, label="left out"),
+        Patch(color=FITTED, label="fitted (chosen by the program)"),
+        Patch(color=LEFT_OUT, label="not fitted"),
         Patch(color=WIRES, label="sphere"),
     ]
     figure.legend(handles=handles, loc="lower center", ncol=3, title=hip.WAYS, title_fontsize=common.SMALL)

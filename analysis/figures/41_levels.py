@@ -35,7 +35,7 @@ def main(options) -> common.Figure:
     heading = (
         f"Ball moved forward by {forward:g} mm to show the five colours, smallest gap {smallest:.2f} mm\n"
         f"{hip.title(options.joint)}"
-    )
+    ).replace("gap -", "gap −")
     figure, _ = panels.sheet([row], heading, legend=0.95)
     gap_colours.add_legend(figure, joint.summary)
     return figure

@@ -31,7 +31,7 @@ def draw_space(axes: plt.Axes, slices: pd.DataFrame, radius: float) -> None:
         x, y = ring * np.cos(turn), ring * np.sin(turn)
         middle = height == 0
         colour = common.COLOURS[1] if middle else common.COLOURS[0]
-        axes.plot(x, y, height, color="#cfd8dc", linewidth=0.6)
+        axes.plot(x, y, height, color=common.THESIS_GREY, linewidth=0.4)
         axes.plot(*np.where(near, [x, y], np.nan), height, color=colour, linewidth=1.8 if middle else 1)
     corner = radius * 1.02 * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]])
     axes.plot(corner[:, 0], corner[:, 1], 0, color=common.COLOURS[1], linewidth=0.8, linestyle="--")

@@ -41,13 +41,13 @@ def draw_gaps(axes: plt.Axes, slices: pd.DataFrame) -> None:
         axes.text(index, gap + 0.12, f"{gap:.2f}", ha="center", va="bottom", fontsize=8, rotation=90)
     axes.axhline(smallest, color=common.COLOURS[1], linestyle="--", linewidth=1.2)
     text = f"smallest gap {smallest:.2f}°,\nnext to the middle plane"
-    axes.text(0.3, smallest + 1.9, text, fontsize=9, color=common.COLOURS[1])
+    axes.text(1, smallest + 2.9, text, fontsize=9, color=common.COLOURS[1])
     axes.set(xlim=(0.2, slices.slice.max() + 0.8), ylim=(0, slices.gap_deg.max() * 1.18))
     axes.set_xticks(slices.slice)
     axes.tick_params(axis="x", labelsize=8)
     axes.grid(axis="x", visible=False)
     axes.set(xlabel="slice i, counted from the middle plane", ylabel="gap to the slice below, degrees")
-    axes.set_title("b) gaps Δφ")
+    axes.set_title("b) gaps Δφ between slices")
 
 
 common.run(main)

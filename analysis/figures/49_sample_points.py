@@ -46,7 +46,7 @@ def main(options) -> common.Figure:
     titles = [f"a) socket, {len(socket.triangles):,} triangles"]
     for letter, scheme in zip("bc", schemes):
         on_surface = len(sample_points.of_scheme(points, scheme))
-        titles.append(f"{letter}) {common.label(scheme)}: {entries[scheme]:,} entries,\n{on_surface:,} on the socket")
+        titles.append(f"{letter}) {common.label(scheme)}: {entries[scheme]:,} entries,\n{on_surface:,} on the socket (dots)")
     return compose(rows, titles, view, pole)
 
 
@@ -64,7 +64,7 @@ def compose(
     rows: list[list[np.ndarray]], titles: list[str], view: render.View, pole: np.ndarray | None
 ) -> plt.Figure:
     """The views in a row; below, what the circle holds."""
-    figure, grid = plt.subplots(len(rows), len(titles), figsize=(8.4, 2.8 * len(rows) + 0.5), squeeze=False)
+    figure, grid = plt.subplots(len(rows), len(titles), figsize=(8.4, 2.8 * len(rows) + 0.75), squeeze=False)
     for line, images in zip(grid, rows):
         for axes, image in zip(line, images):
             axes.imshow(image, interpolation="none")
@@ -81,7 +81,8 @@ def compose(
             axes.images[0].set_clip_path(circle)
             axes.add_patch(Circle(circle.center, circle.radius, fill=False, edgecolor=RING, linewidth=1.6))
         grid[1][0].set_title(f"the circle: {CLOSE:g} mm round the pole, $\\varphi = 0$", loc="center", fontsize=9.5)
-    figure.subplots_adjust(left=0.01, right=0.99, top=0.92, bottom=0.01, wspace=0.03, hspace=0.08)
+    figure.suptitle("Points of a socket that the two tables of the thesis sample, at 1°", fontsize=10.5)
+    figure.subplots_adjust(left=0.01, right=0.99, top=0.885, bottom=0.01, wspace=0.03, hspace=0.08)
     return figure
 
 

@@ -31,13 +31,13 @@ def main(options) -> common.Figure:
             summary = summaries.read(folder)
             view = sample_points.inside_view(socket, summary)
             surface = gap_colours.coloured(socket, gap_colours.colours_of(summary, "socket"))
-            own = sample_points.dots(sample_points.of_scheme(points, scheme), view, 2.6, DOT)
+            own = sample_points.dots(sample_points.of_scheme(points, scheme), view, 1.6, DOT)
             images.append(render.picture([surface, own], view))
             gaps.append(socket.properties["gap"])
             titles.append(f"{letter}) {common.label(scheme)}: {smallest(gaps[-1])}")
     figure = compose(images, titles, heading(options.joint, summary, gaps))
     handles = gap_colours.legend(summary, ("socket",))
-    figure.legend(handles=handles, loc="lower center", ncol=3, columnspacing=0.9, handlelength=1.4, title="gap, mm")
+    figure.legend(handles=handles, loc="lower center", ncol=3, columnspacing=0.9, handlelength=1.4, title="radial gap")
     return figure
 
 

@@ -25,7 +25,7 @@ def main(options) -> common.Figure:
         conchoid.plane(axes)
     start = conchoid.point(curve, 50)
     panels[0].plot(*np.array([[0, 0], start]).T, color="black", linewidth=1)
-    panels[0].annotate("r = a + b cos φ", (-20, -24))
+    panels[0].annotate("r = a + b cos φ", (-22, -22))
     arc = np.radians(np.linspace(0, 50, 60))
     panels[0].plot(9 * np.sin(arc), -9 * np.cos(arc), color="black", linewidth=0.8)
     common.note(panels[0], "φ", (9 * np.sin(0.4), -9 * np.cos(0.4)), (1, -13), fontsize=10)
@@ -38,9 +38,9 @@ def main(options) -> common.Figure:
         label=f"best sphere of the cap, radius {shape.sphere_radius_mm:.1f} mm",
     )
     panels[1].plot(0, -shape.sphere_height_mm, "x", color=conchoid.SECOND, markersize=7, label="centre of the sphere")
-    panels[0].set_title(f"a) a = {shape.a_mm} mm, b = {shape.b_mm} mm")
+    panels[0].set_title(f"a) the conchoid: a = {shape.a_mm:.2f} mm, b = {shape.b_mm:.2f} mm")
     panels[1].set_title(
-        f"b) the cap leaves the sphere by {shape.sphere_lowest_mm:+.2f} to {shape.sphere_highest_mm:+.2f} mm"
+        f"b) its cap is {shape.sphere_lowest_mm:+.2f} to {shape.sphere_highest_mm:+.2f} mm off the sphere".replace("-", "−")
     )
     for axes in panels:
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14))

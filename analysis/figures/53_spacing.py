@@ -17,7 +17,17 @@ PANELS = [
     ("cap_extent_middle", "a) from the middle of the cap's extent"),
     ("conchoid_origin", "b) from the conchoid's origin"),
 ]
-SHADES = plt.cm.viridis
+NAMES = {
+    "conchoid_origin": "origin of the conchoid",
+    "cap_extent_middle": "middle of the cap's extent",
+    "cap_curve_centroid": "centroid of the cap's curve",
+    "cap_surface_centroid": "centroid of the cap's surface",
+    "cap_best_sphere": "best sphere of the cap",
+    "whole_axis_middle": "middle of the whole axis",
+    "whole_extent_middle": "middle of the whole extent",
+    "whole_curve_centroid": "centroid of the whole curve",
+    "whole_surface_centroid": "centroid of the whole surface",
+}
 
 
 def draw_segments(axes: plt.Axes, curve: pd.DataFrame, segments: pd.DataFrame) -> None:
@@ -30,10 +40,12 @@ def draw_segments(axes: plt.Axes, curve: pd.DataFrame, segments: pd.DataFrame) -
     for row, excess in zip(segments.itertuples(), relative - 1):
         phi = np.linspace(row.phi_from_deg, row.phi_to_deg, 30)
         x, up = conchoid.at(curve, phi, "x_mm"), conchoid.at(curve, phi, "up_mm")
-        axes.plot(x, up, color=SHADES(0.5 + excess), linewidth=5, solid_capstyle="butt")
+        axes.plot(x, up, color=conchoid.CURVE if row.Index % 2 else conchoid.SECOND, linewidth=5, solid_capstyle="butt")
         middle = np.array([x[15], up[15]])
         outward = (middle - origin) / np.linalg.norm(middle - origin)
-        axes.annotate(f"{excess:+.0%}", middle + 3.4 * outward, ha="center", va="center", fontsize=9)
+        beside = outward[0] > 0.5
+        at = middle + (1.4 if beside else 3.4) * outward
+        axes.annotate(f"{100 * excess:+.0f} %".replace("-", "−"), at, ha="left" if beside else "center", va="center", fontsize=9)
     axes.plot(*origin, "o", color="black", markersize=5)
 
 
@@ -42,7 +54,7 @@ def main(options) -> common.Figure:
     spacing = common.load(options.results, "conchoid_spacing")
     spacing = spacing[spacing.rays == spacing.rays.min()]
     origins = common.load(options.results, "conchoid_origins")
-    figure, panels = plt.subplots(1, 3, figsize=(13.6, 5.6), gridspec_kw={"width_ratios": [1, 1, 1]})
+    figure, panels = plt.subplots(1, 3, figsize=(12.4, 4.8), width_ratios=[0.73, 0.73, 0.9], layout="constrained")
     for axes, (name, title) in zip(panels, PANELS):
         conchoid.draw_axis(axes, -43, 3)
         draw_segments(axes, curve, spacing[spacing.origin == name])
@@ -50,9 +62,8 @@ def main(options) -> common.Figure:
         axes.set(title=title, xlim=(-3, 33), ylim=(-45, 4))
     draw_origins(panels[2], origins)
     figure.suptitle(
-        "Length of each segment against the one at the apex (bottom), rays at equal angles", x=0.01, ha="left"
+        "How much longer each segment is than the one at the apex (bottom): rays at equal angles", x=0.01, ha="left", fontsize=12
     )
-    figure.tight_layout()
     return figure
 
 
@@ -68,13 +79,13 @@ def draw_origins(axes: plt.Axes, origins: pd.DataFrame) -> None:
             rows,
             marker=look["marker"],
             color=look["color"],
-            label="middle" if column == "middle" else "rim, φ = 90°",
+            label="half way to the rim" if column == "middle" else "at the rim, φ = 90°",
         )
     axes.axvline(0, color="#555555", linewidth=0.8)
     axes.set_yticks(
-        rows, [f"{name.replace('_', ' ')}, {h:.1f} mm" for name, h in zip(origins.origin, origins.height_mm)]
+        rows, [f"{NAMES[name]}, {h:.1f} mm" for name, h in zip(origins.origin, origins.height_mm)]
     )
-    axes.set(title="c) many rays, by origin", xlabel="segment longer than at the apex, %")
+    axes.set(title="c) many rays, by their origin\n(mm from the conchoid's towards the apex)", xlabel="segment longer than at the apex, %")
     axes.legend(loc="lower right")
 
 

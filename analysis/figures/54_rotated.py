@@ -49,8 +49,8 @@ def main(options) -> common.Figure:
         panels[2].add_collection3d(
             Poly3DCollection([whole], facecolor=conchoid.CURVE, alpha=0.16, edgecolor=conchoid.CURVE, linewidth=1.4)
         )
-    panels[0].set_title("a) the surface", loc="center")
-    panels[1].set_title("b) one curve (thick) turned about the axis", loc="center")
+    panels[0].set_title("a) the conchoid turned about its axis", loc="center")
+    panels[1].set_title("b) one curve (thick), and turned", loc="center")
     panels[2].set_title("c) every slice through the axis is a conchoid", loc="center")
     figure.subplots_adjust(left=0, right=1, bottom=0, top=0.93, wspace=0)
     return figure

@@ -51,7 +51,7 @@ def main(options) -> common.Figure:
     figure = plt.figure(figsize=(9.6, 5.0))
     left, right = (conchoid.space(figure, (1, 2, k), 28) for k in (1, 2))
     draw_cap(left, curve, conchoid.CURVE)
-    draw_cap(right, curve, "#c3d7e8")
+    draw_cap(right, curve, common.THESIS_GREY)
     draw_coordinates(right, curve)
     left.set_title("a) the joint as turned conchoids, φ ≤ 90°", loc="center")
     right.set_title("b) φ from the apex, θ about the axis", loc="center")

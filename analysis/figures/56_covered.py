@@ -40,8 +40,9 @@ def main(options) -> common.Figure:
         times = "" if i == 1 else f"{i} "
         common.note(axes, f"{times}ΔL = {length:.2f} mm", middle, (9, -9), fontsize=10)
     panels[0].set_title(f"a) four rays, ΔL = {part:.2f} mm")
-    panels[1].set_title("b) covered by ray 1")
-    panels[2].set_title("c) covered by ray 2")
+    panels[1].set_title("b) length up to ray 1")
+    panels[2].set_title("c) length up to ray 2")
+    figure.suptitle("Rays that cut the conchoid into equal lengths ΔL", x=0.01, ha="left")
     figure.tight_layout()
     return figure
 

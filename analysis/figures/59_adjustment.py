@@ -17,12 +17,12 @@ def main(options) -> common.Figure:
         turned = rays[column] - rays.original_deg
         at = turned.idxmin()
         look = conchoid.LOOKS[column]
-        label = f"{name}: {turned[at]:.2f}° at φ = {rays.original_deg[at]:.1f}°"
+        label = f"{name}: −{-turned[at]:.2f}° at φ = {rays.original_deg[at]:.1f}°"
         axes.plot(rays.original_deg, turned, label=label, **conchoid.adjusted(column))
         axes.plot(rays.original_deg[at], turned[at], marker=look["marker"], color=look["color"])
     axes.axhline(0, color="#555555", linewidth=0.8)
     axes.set(
-        title="Adjustment of the rays; markers: where it is largest",
+        title="How far each ray is turned; markers: where most",
         xlabel="original angle φ, degrees",
         ylabel="adjusted minus original angle, degrees",
         xlim=(0, 90),

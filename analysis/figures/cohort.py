@@ -16,30 +16,33 @@ from common import cohort
 
 def main(options) -> common.Figure:
     hips = common.load(options.results, "cohort")
-    figure, panels = plt.subplots(1, 3, figsize=(common.WIDTH, 4.0), sharey=True)
+    figure, panels = plt.subplots(1, 3, figsize=(common.WIDTH, 4.3), sharey=True)
     rotation = hips[cohort.ROTATION]
     bins = np.arange(5 * np.floor(rotation.min() / 5), rotation.max() + 5, 5)
     panels[0].hist(
-        rotation, bins=bins, orientation="horizontal", color=common.COLOURS[5], label=f"{len(hips)} hips here"
+        rotation, bins=bins, orientation="horizontal", color=common.COLOURS[5], label=f"{len(hips):,} generated hips"
     )
     for name, style in zip(cohort.GROUPS, ("-", "--", ":")):
-        label = f"{name} ({cohort.AUDENAERT})"
+        label = f"published mean of {name} ({cohort.AUDENAERT})"
         panels[0].axhline(cohort.GROUPS[name], color="black", linestyle=style, linewidth=1.2, label=label)
-    panels[0].set(xlabel="hips", ylabel="int. rotation at 90° of flexion, degrees")
+    panels[0].set(xlabel="number of hips", ylabel="internal rotation, degrees", title="a) all hips")
     reach = np.abs(
         [
             rotation - hips.internal_rotation_at_90_low_deg,
             hips.internal_rotation_at_90_high_deg.clip(upper=rotation.max() + 5) - rotation,
         ]
     )
-    look = {"fmt": "o", "markersize": 2.5, "linewidth": 0.4, "color": common.COLOURS[0], "ecolor": "#b0b0b0"}
+    look = {"fmt": "o", "markersize": 2.5, "linewidth": 0.4, "color": common.COLOURS[0], "ecolor": common.THESIS_GREY}
     for axes, column, words in zip(
-        panels[1:], ("alpha_1_30", "femoral_torsion"), ("alpha at 1:30", "femoral torsion")
+        panels[1:], ("alpha_1_30", "femoral_torsion"), ("alpha angle at 1:30", "femoral torsion")
     ):
         axes.errorbar(hips[column], rotation, yerr=reach, **look)
         axes.set(xlabel=f"{words}, degrees")
-    figure.legend(loc="lower center", ncol=2, fontsize=common.SMALL)
-    figure.tight_layout(rect=(0, 0.13, 1, 1))
+    panels[1].set_title("b) by the cam")
+    panels[2].set_title("c) by the femoral torsion")
+    figure.suptitle("Internal rotation until the bones touch, at 90° of flexion (bars: for any centre within half a millimetre)", x=0.01, ha="left", fontsize=12)
+    figure.legend(loc="lower center", ncol=1, fontsize=common.SMALL)
+    figure.tight_layout(rect=(0, 0.2, 1, 1))
     return figure
 
 

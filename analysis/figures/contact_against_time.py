@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      contact-against-time
-# @question  Touch, smallest gap, first contact and filling: what does each method miss, and what does it cost?
+# @question  Do the surfaces overlap, how small is the gap, when is first contact, and how long does filling take: what does each method miss, and what does it cost?
 # @data      all_gaps contact contact_agreement first_contact
 """A panel a question, of the normal hip: what is missed or wrong across, time up; lower left is better."""
 
@@ -11,10 +11,13 @@ import common
 from common import error_panel, fast, work_precision
 
 FOOT = (
-    "Lower left is better. Overlap: near contact, against the exact overlay of the faces; by vertices, share of the overlaps without"
-    " an impinged vertex, on the\ngenerated pair. Smallest gap: the worst of three. First contact: steps, then halvings to 0.001°;"
-    " the bracket is proven. Filling: error of a gap then; | bound."
+    "Lower left is better; time: one thread. Overlap: poses near contact, against exact arithmetic; tests of vertices: overlaps between them"
+    " that they miss, on the\ngenerated pair. Smallest gap: the slowest of three poses. First contact: pose after pose in steps, small"
+    " ones are slower, then halved to 0.001°; the bracket\nis proven. Tables: spacings from 2° down, finer ones take longer; dotted with |: proven"
+    " bound of the error."
 )
+
+BESIDE = 7  # lines whose names have room beside their points
 
 
 def main(options) -> common.Figure:
@@ -22,10 +25,12 @@ def main(options) -> common.Figure:
     turns = hip_rows(common.load(options.results, "first_contact"))
     panels = [touch(poses, common.load(options.results, "contact_agreement").iloc[0]), smallest(poses), first_contact(turns), filling(work_precision.load(options.results))]
     looks = common.look([line for rows, *_ in panels for line in rows.line])
-    figure, grid = error_panel.grid_of(2, 3.7, FOOT)
-    for axes, (rows, errors, title, unit) in zip(grid.flat, panels):
+    title = f"What methods miss or err by, and how long they take: {work_precision.scene_title(poses.scene.iloc[0])}"
+    figure, grid = error_panel.grid_of(title, FOOT, 3.0, 0.6, 0.3)
+    for axes, (rows, errors, words, unit) in zip(grid.flat, panels):
         error_panel.draw(axes, rows, errors, looks)
-        axes.set(title=title, ylabel=unit)
+        error_panel.name_lines(axes, rows, errors, looks, apart=rows.line.nunique() > BESIDE)
+        axes.set(title=words, ylabel=unit)
     return figure
 
 
@@ -43,26 +48,25 @@ def touch(poses: pd.DataFrame, agreed: pd.Series) -> tuple:
     rows = poses[(poses.gap_case == "touching") & (poses.question != "smallest gap")]
     missed = 100 * agreed.missed / (agreed.impinged + agreed.missed)
     error = (100 * rows.wrong / rows.poses).where(~rows.method.isin(VERTICES), missed)
-    rows = rows.assign(line=rows.line.str.removesuffix(", touch"), error=error, cost=rows.us_pose, step="", bound=np.nan)
-    return rows, error_panel.PERCENT, "Do the surfaces overlap?", "time of a pose, µs"
+    rows = rows.assign(line=rows.line.str.removesuffix(", touch"), error=error, cost=rows.us_pose, bound=np.nan)
+    return named(rows), error_panel.PERCENT, "Do the surfaces overlap?", "time of a pose, µs"
 
 
 def smallest(poses: pd.DataFrame) -> tuple:
     """The smallest gap, or all of them, of the slowest of three gaps."""
     rows = poses[poses.question != "touch"].groupby("line", sort=False)[["error_um", "us_pose"]].max().reset_index()
-    rows = rows.assign(error=rows.error_um, cost=rows.us_pose, step="", bound=np.nan)
-    return rows, error_panel.MICROMETRES, "Smallest gap", "time of a pose, µs"
+    rows = rows.assign(error=rows.error_um, cost=rows.us_pose, bound=np.nan)
+    return named(rows), error_panel.MICROMETRES, "Smallest gap", "time of a pose, µs"
 
 
 def first_contact(turns: pd.DataFrame) -> tuple:
-    """The angle of the first contact, a line a method over its steps; contacts it missed are written at the step."""
-    rows = turns.copy()
+    """The angle of the first contact, a line a method over its steps, which its name tells, with the contacts that are missed."""
+    rows = turns.rename(columns={"ms_motion": "cost", "error_deg": "error", "bound_deg": "bound"})
     rows["line"] = rows.method.map(turns.attrs["labels"]).fillna(rows.method).str.removesuffix(", touch")
-    step = rows.setting.str.extract(r"steps of ([\d.]+)")[0].radd("", fill_value="")
-    missed = [f" ({count} missed)" if count else "" for count in rows.missed]
-    rows["step"] = np.where(rows.setting == "bracket", "", step + "°" + pd.Series(missed, rows.index))
-    rows = rows.rename(columns={"ms_motion": "cost", "error_deg": "error", "bound_deg": "bound"})
-    return rows, error_panel.DEGREES, "First contact of a motion", "time of a motion, ms"
+    missed = [f" (misses {count} of {motions})" if count else "" for count, motions in zip(rows.missed, rows.motions)]
+    step = rows.setting.str.extract(r"steps of ([\d.]+)")[0] + "°" + pd.Series(missed, rows.index)
+    steps = step.fillna("").groupby(rows.line).transform(", ".join)
+    return named(rows, ", steps " + steps.where(steps != "", np.nan)), error_panel.DEGREES, "First contact of a motion", "time of a motion, ms"
 
 
 def filling(rows: pd.DataFrame) -> tuple:
@@ -70,7 +74,13 @@ def filling(rows: pd.DataFrame) -> tuple:
     own = rows[rows.scene == work_precision.scenes(rows)["hip"]]
     own = work_precision.fastest(own, "build_ms")
     own = own.rename(columns={"build_ms": "cost", "error_um": "error", "bound_um": "bound"})
-    return own, error_panel.MICROMETRES, "Filling or building, both surfaces", "time, ms"
+    return named(own), error_panel.MICROMETRES, "Filling tables or building trees, both surfaces", "time, ms"
+
+
+def named(rows: pd.DataFrame, more: pd.Series | str = "") -> pd.DataFrame:
+    """With the name of each line."""
+    lines = rows.line.str.removesuffix(", culled")  # their trees are what makes them fast
+    return rows.assign(name=lines + pd.Series(more, rows.index).fillna(""))
 
 
 common.run(main)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      joint-SCENE
 # @for       SCENE in SCENES
-# @question  The joint SCENE coloured by the gap between ball and socket, in the thesis' five colours.
+# @question  How wide is the gap between ball and socket of SCENE, and where, in the thesis' five colours?
 # @depends   scenes/SCENE/{ball.ply,socket.ply,summary.json}
 # @options   --scene SCENE
 # @outputs   png
@@ -14,7 +14,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import common
-from common import gap_colours, ply, render, summaries
+from common import gap_colours, hip, ply, render, sample_points, summaries
 
 MARGIN = 1.03  # of a view
 
@@ -59,8 +59,9 @@ def compose(images: dict[str, np.ndarray], name: str, summary: dict) -> plt.Figu
     smallest = summary["smallest_gap"]
     gap = f": smallest gap {smallest['gap_mm']:.2f} mm" if smallest else ""
     pose = f", {summary['pose'].replace('=', ' ')}°" if "=" in summary["pose"] else ""
-    figure.suptitle(f"{name.replace('_', ' ')}{pose}{gap}", fontsize=12, y=0.97)
-    figure.legend(handles=gap_colours.legend(summary), loc="lower center", ncol=3, title="gap, mm", fontsize=9)
+    title = "Generated ball and socket" if name == sample_points.GENERATED else hip.title(name)
+    figure.suptitle(f"{title}{pose}{gap}", fontsize=12, y=0.97)
+    figure.legend(handles=gap_colours.legend(summary), loc="lower center", ncol=3, title="radial gap", fontsize=9)
     figure.subplots_adjust(left=0.02, right=0.98, top=0.90, bottom=0.14, wspace=0.02, hspace=0.10)
     return figure
 

@@ -10,20 +10,19 @@ import pandas as pd
 import common
 from common import motion_limits
 
-SPREAD = 0.7  # of a motion's row, for the joints one below the other
+SPREAD = 0.86  # of a motion's row, for the joints one below the other
 
 
 def main(options) -> common.Figure:
     limits = motion_limits.contacts(options.results)
     generated = limits[limits.joint.isin(motion_limits.GENERATED)]
     real = limits[~limits.joint.isin(motion_limits.GENERATED)]
-    parts = [("Generated hips", generated)] + ([("Real joints", real)] if len(real) else [])
-    width = 0.5 * common.WIDTH * len(parts)
-    figure, panels = plt.subplots(1, len(parts), figsize=(width, 4.7), sharey=True, squeeze=False)
+    parts = [("First contact: generated hips", generated)] + ([("First contact: real joints", real)] if len(real) else [])
+    figure, panels = plt.subplots(1, len(parts), figsize=(common.WIDTH, 6.4), sharey=True, squeeze=False)
     for axes, (title, part) in zip(panels[0], parts):
         draw(axes, part)
         axes.set_title(title)
-        axes.set_xlabel("angle of first contact, degrees")
+        axes.set_xlabel("angle of first contact, degrees\n(bars: for any centre within half a millimetre)")
     panels[0][0].set_yticks(range(len(motion_limits.MOTIONS)), list(motion_limits.MOTIONS.values()))
     figure.tight_layout()
     return figure
@@ -36,8 +35,8 @@ def draw(axes: plt.Axes, limits: pd.DataFrame) -> None:
             axes.axhspan(k - 0.5, k + 0.5, color="#f4f4f4", linewidth=0, zorder=0)
         if motion in motion_limits.CLINICAL:
             low, high = motion_limits.CLINICAL[motion]
-            label = "clinical range" if k == 0 else None
-            axes.barh(k, high - low, left=low, height=0.9, color="#c9c9c9", zorder=1, label=label)
+            label = "clinical range, normal hip" if k == 0 else None
+            axes.barh(k, high - low, left=low, height=0.9, color="#d4d4d4", edgecolor=common.THESIS_GREY, linewidth=0.8, zorder=1, label=label)
     joints = list(dict.fromkeys(limits.joint))
     looks = common.look(joints)
     for j, joint in enumerate(joints):
@@ -56,10 +55,10 @@ def draw(axes: plt.Axes, limits: pd.DataFrame) -> None:
             zorder=3,
         )
     axes.set(xlim=(-5, 190), ylim=(len(motion_limits.MOTIONS) - 0.5, -0.5))
-    axes.axvline(180, color="black", linestyle=":", linewidth=1)
+    axes.axvline(180, color="black", linestyle=":", linewidth=1, label="no contact")
     axes.set_xticks(range(0, 181, 30))
     axes.grid(visible=False, axis="y")
-    axes.legend(loc="upper center", bbox_to_anchor=(0.45, -0.13), ncol=2, columnspacing=1.0, handlelength=1.4)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.4, -0.13), ncol=4 // len(axes.figure.axes), columnspacing=1.0, handlelength=1.4)
 
 
 def reach(limits: pd.DataFrame) -> list[pd.Series]:

@@ -36,7 +36,8 @@ def main(options) -> common.Figure:
     for line, joint in zip(grid, joints):
         rows = table[table.joint == joint]
         less = 1 / rows[rows.way == "needed"].of_all
-        words = f"{limit_time.title(rows)}. One question takes 1/{less.max():.0f} to 1/{less.min():.0f} of the time of all."
+        title = limit_time.title(rows)
+        words = f"{title[0].upper()}{title[1:]}. One question takes 1/{less.max():.0f} to 1/{less.min():.0f} of the time of all."
         common.note(line[0], words, (0, 1), (-140, 10), xycoords="axes fraction", fontsize=11, fontweight="bold")
     return figure
 
@@ -49,6 +50,8 @@ def draw(axes: plt.Axes, rows: pd.DataFrame, column: str, looks: dict) -> None:
         for row in rows[rows.question == question].itertuples():
             value = getattr(row, column)
             if pd.isna(value):
+                if row.way == "needed":
+                    axes.text(0.5, line, "not counted", transform=axes.get_yaxis_transform(), ha="center", va="center", fontsize=common.SMALL)
                 continue
             ours = row.way == "needed"
             look = looks["impinge" if ours else row.label]
@@ -64,7 +67,7 @@ def draw(axes: plt.Axes, rows: pd.DataFrame, column: str, looks: dict) -> None:
             )
             if column.startswith("faces"):
                 words = f"{value / everything:.1%}" if value else "none"
-                common.note(axes, words, (max(value, 1), line), (0, 7), ha="center")
+                common.note(axes, words, (max(value, 1), line), (0, 7), ha="center" if value else "left")
     axes.set(xscale="log")
     axes.set_yticks(range(len(scene_needs.QUESTIONS)), scene_needs.QUESTIONS.values())
     axes.set_ylim(len(scene_needs.QUESTIONS) - 0.5, -0.6)

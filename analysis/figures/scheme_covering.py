@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @name      scheme-covering
-# @question  How much memory does each scheme take to leave no wider gap than the others?
+# @question  How much memory does each scheme take so that no direction is farther from an entry than in the others?
 # @data      schemes scheme_covering
 """Covering constant of every scheme, with that away from the poles and the least possible."""
 
@@ -41,8 +41,8 @@ def main(options) -> common.Figure:
     axes.axvline(scheme_plot.FLOOR, color="black", linestyle="--", linewidth=1.2, label=scheme_plot.FLOOR_TEXT)
     axes.set(
         xlim=(0, end),
-        xlabel=r"covering constant $N\rho^2$: entries × (radius of the widest gap)²",
-        title="How much memory each scheme takes to leave no wider gap",
+        xlabel=r"covering constant $N\rho^2$: entries × (farthest distance to one)²",
+        title="Memory that each scheme takes for an equal covering",
     )
     axes.legend(loc="upper left", bbox_to_anchor=(-0.02, -0.6 / len(table) - 0.08), ncol=1)
     return figure

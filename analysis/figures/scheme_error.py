@@ -25,13 +25,13 @@ def main(options) -> common.Figure:
     shares = {name: table[name] / reference[name] for name in MEASURES}
     span = (0.5, 1.08 * max(scheme_plot.reach(share) for share in shares.values()))
     for place, *ends in zip(places, *(share.clip(*span) for share in shares.values())):
-        axes.plot([min(ends), max(ends)], [place, place], color="#bbbbbb", linewidth=1.2, zorder=1)
+        axes.plot([min(ends), max(ends)], [place, place], color=common.THESIS_GREY, linewidth=1.2, zorder=1)
     scheme_plot.dots(axes, shares, span, MEASURES, apart=0)
     axes.axvline(1, color="black", linewidth=1, linestyle=":")
     axes.set(
         xlim=span,
         xlabel=f"entries for the same error, {labels[scheme_plot.REFERENCE]} = 1",
-        title="How much memory each scheme takes to interpolate as well",
+        title="Memory that each scheme takes for an equal error",
     )
     axes.legend(loc="upper left", bbox_to_anchor=(-0.02, -0.6 / len(table) - 0.08))
     return figure

@@ -19,7 +19,7 @@ def main(options) -> common.Figure:
 
     def draw(axes: plt.Axes, scheme: str) -> None:
         x, y, towards = VIEW @ groups[scheme][["x", "y", "z"]].to_numpy().T
-        axes.add_patch(plt.Circle((0, 0), 1, facecolor="#f1f1f1", edgecolor="#999999", linewidth=0.6))
+        axes.add_patch(plt.Circle((0, 0), 1, facecolor="#f1f1f1", edgecolor=common.THESIS_GREY, linewidth=0.6))
         draw_line(axes, np.radians(90))
         draw_pole(axes)
         front = towards > 0

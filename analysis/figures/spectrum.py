@@ -10,6 +10,8 @@
 # @when      JOINTS
 """Power of a head's radius by degree of spherical harmonics, and what a band limit leaves out."""
 
+import re
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
@@ -61,15 +63,21 @@ def mark_slices(left: plt.Axes, right: plt.Axes, slices: pd.DataFrame) -> None:
         for axes in (left, right):
             axes.axvline(line.band_limit, color="#555555", linewidth=0.9, linestyle=(0, (1, 2)))
         right.text(
-            line.band_limit * 0.97,
-            0.985,
+            line.band_limit * 1.04,
+            0.98,
             f"{name}, L = {line.band_limit}",
             rotation=90,
-            ha="right",
+            ha="left",
             va="top",
+            path_effects=common.drawing.HALO,
             fontsize=common.SMALL,
             transform=right.get_xaxis_transform(),
         )
+
+
+def named(surface: str) -> str:
+    """As a reader writes it: "head of 12,000 faces"."""
+    return re.sub(r"\d{4,}", lambda digits: f"{int(digits[0]):,}", surface.replace("_", " "))
 
 
 def finish(figure: plt.Figure, left: plt.Axes, right: plt.Axes, looks: list) -> None:
@@ -78,10 +86,10 @@ def finish(figure: plt.Figure, left: plt.Axes, right: plt.Axes, looks: list) -> 
         axes.set(xscale="log", yscale="log")
         axes.set_xticks([1, 2, 5, 10, 20, 50, 100, 200], ["1", "2", "5", "10", "20", "50", "100", "200"])
         axes.minorticks_off()
-    left.set(xlabel="degree", ylabel="power, mm²", title=f"Power by degree; marked: L of {100 * SHARE:g} %")
-    right.set(xlabel="band limit L", ylabel="mm", title="Root mean square of degrees L and up")
-    handles = [common.key(surface.replace("_", " "), markeredgecolor="black", **look) for surface, look in looks]
-    right.set_ylim(top=8 * right.get_ylim()[1])  # room for what mark_slices() writes
+    left.set(xlabel="degree of the spherical harmonics", ylabel="power, mm²", title=f"Power by degree (marks: {100 * SHARE:g} % lie below)")
+    right.set(xlabel="band limit L", ylabel="root mean square left out, mm", title="What a band limit L leaves out")
+    handles = [common.key(named(surface), markeredgecolor="black", **look) for surface, look in looks]
+    right.set_ylim(top=100 * right.get_ylim()[1])  # room for what mark_slices() writes
     figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.05, 0.0), ncols=3)
     figure.tight_layout()
 

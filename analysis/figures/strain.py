@@ -14,9 +14,9 @@ from common import strain
 HIP = "patient_a"
 HOURS = [9, 10, 11, 12, 1, 2, 3, 4, 5, 6, 7, 8]
 WAYS = {
-    "by gap, 4 mm everywhere": ("uniform", "strain"),
-    "by distance, 4 mm everywhere": ("uniform", "strain_by_distance"),
-    "by gap, cartilage by place": ("by_place", "strain"),
+    "by gap, cartilage 4 mm everywhere": ("uniform", "strain"),
+    "by distance, cartilage 4 mm everywhere": ("uniform", "strain_by_distance"),
+    "by gap, cartilage thickness by place": ("by_place", "strain"),
 }
 
 
@@ -24,7 +24,7 @@ def main(options) -> common.Figure:
     figure, ((area, shear), (rays, hip)) = plt.subplots(2, 2, figsize=(common.WIDTH, 6.6))
     layers = strain.layers(options.results)
     draw_layers(area, layers, "area")
-    area.set(ylabel="overlap area / contact area", title="Area that the gap calls strained", ylim=(0.4, 2.15))
+    area.set(ylabel="overlap area / contact area", title="a) area that the gap calls strained", ylim=(0.4, 2.15))
     for limit, name in ((2.0, "Hertz"), (1.0, "springs"), (0.5, "thin, ν = 0.5")):
         area.axhline(limit, color=common.THESIS_GREY, linestyle=":", linewidth=1.0, zorder=1)
         area.annotate(
@@ -38,9 +38,9 @@ def main(options) -> common.Figure:
             fontsize=common.SMALL,
             color="#555555",
         )
-    area.legend(loc="upper left", bbox_to_anchor=(0.0, 0.9))
+    area.legend(loc="upper left", bbox_to_anchor=(0.0, 0.95), title="Poisson ratio ν", alignment="left")
     draw_layers(shear, layers, "bone_shear")
-    shear.set(ylabel="largest shear over strain by gap", title="Shear where cartilage meets bone", yscale="log")
+    shear.set(ylabel="largest shear over strain by gap", title="b) shear where cartilage meets bone", yscale="log")
     shear.axhline(1.0, color=common.THESIS_GREY, linestyle=":", linewidth=1.0, zorder=1)
     draw_rays(rays, common.load(options.results, "strain_incidence"))
     draw_hip(hip, common.load(options.results, "strain_hip"))
@@ -76,11 +76,13 @@ def draw_rays(axes: plt.Axes, table: pd.DataFrame) -> None:
             mine.by_gap,
             marker=of_gap["marker"],
             color=of_gap["color"],
-            label=f"gap {gap:g} mm, h {cartilage:g} mm",
+            label=f"by gap: {gap:g} mm, cartilage h = {cartilage:g} mm",
             clip_on=False,
         )
-    axes.set(xlabel="angle between ray and normal, degrees", ylabel="strain", ylim=(0, 1), xlim=(0, 70))
-    axes.set_title("Oblique rays (dotted: true, line: 1 − gap / (h cos ψ))")
+    axes.set(xlabel="angle ψ between ray and normal, degrees", ylabel="strain", ylim=(0, 1.35), xlim=(0, 70))
+    axes.set_yticks(np.linspace(0, 1, 6))
+    axes.set_title("c) oblique rays (line: 1 − gap / (h cos ψ))")
+    axes.plot([], [], color="black", linestyle=":", linewidth=1.2, label="true strain")
     axes.legend(loc="upper right")
 
 
@@ -95,9 +97,9 @@ def draw_hip(axes: plt.Axes, table: pd.DataFrame) -> None:
         axes.plot(x, mine, label=name, **looks[name] | hollow)
     axes.set_xticks(x, [str(hour) for hour in HOURS])
     pose = table.pose.iloc[0].replace("=", " ")
-    axes.set(xlabel="hour on the socket's dial", ylabel="mean strain", ylim=(0, None))
-    axes.set_title(f"Stand-in for patient A, {pose}°")
-    axes.set_ylim(top=1.45 * axes.get_ylim()[1])
+    axes.set(xlabel="hour on the socket's dial", ylabel="mean strain of the strained area", ylim=(0, None))
+    axes.set_title(f"d) socket of a stand-in for patient A, {pose}°")
+    axes.set_ylim(top=1.5 * axes.get_ylim()[1])
     axes.legend(loc="upper right")
 
 
