@@ -24,16 +24,16 @@ MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
 DASHES = ["-", "--", "-.", ":"]
 # Of a method, the same in every figure: colour, marker, dash. The longest beginning of its name counts, small letters.
 METHODS = {
-    "thesis, rsid": ("#A6611A", "s", "--"),
-    "rsid_thesis": ("#A6611A", "s", "--"),
-    "thesis, usid": ("#6B3E0C", "D", ":"),
-    "usid_thesis": ("#6B3E0C", "D", ":"),
+    "thesis, rsid": ("#A6611A", ">", "--"),
+    "rsid_thesis": ("#A6611A", ">", "--"),
+    "thesis, usid": ("#6B3E0C", "<", ":"),
+    "usid_thesis": ("#6B3E0C", "<", ":"),
     "pairwise": ("#404040", "v", "-."),
     "conchoid": ("#B5528A", "v", "-."),
     "icosahedral": ("#6A3D9A", "P", "-"),
     "rsid": ("#008F68", "s", "-"),
     "usid": ("#00573F", "D", "-"),
-    "usid_arc": ("#4B7A1E", "<", ":"),
+    "usid_arc": ("#4B7A1E", "d", ":"),
     "cube": ("#0072B2", "o", "-"),
     "exact cells": ("#000000", "*", "-"),
     "cube_cells_exact": ("#000000", "*", "-"),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One panel of error against cost: a line a method, proven bounds as ticks. Rows have line, error, cost and bound, and where lines
-are named, name.
+"""One panel of error against cost: a line a method, proven bounds as ticks. Rows have line, error, cost and bound, where lines
+are named, name, and where steps are written, step.
 """
 
 import math
@@ -13,6 +13,7 @@ import pandas as pd
 import common
 
 LINE = 11.0  # points between names that would cover one another
+NOTE = 7.0  # points, the size of a step
 
 
 @dataclass(frozen=True)
@@ -81,6 +82,24 @@ def costs(axes: plt.Axes) -> None:
             break
     axes.set_yticks(ticks, [f"{tick:,.10g}" for tick in ticks])
     axes.minorticks_off()
+
+
+def write_steps(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict) -> None:
+    """The step of each point beside it, the ends of lines first; left out where it would cover a point or another step."""
+    rows = placed(rows[rows.step != ""], errors)
+    marks = axes.transData.transform(placed(rows, errors)[["x", "cost"]]) * 72.0 / axes.figure.dpi
+    taken = [(x - 3.0, y - 3.0, x + 3.0, y + 3.0) for x, y in marks]
+    ends = (rows.groupby("line").cumcount() == 0) | (rows.groupby("line").cumcount(ascending=False) == 0)
+    order = np.concatenate([np.flatnonzero(ends), np.flatnonzero(~ends)])
+    for row, (x, y) in zip(rows.iloc[order].itertuples(), marks[order]):
+        width = 0.6 * NOTE * len(row.step)
+        for left, low in ((x - width / 2, y + 4.0), (x - width / 2, y - 4.0 - NOTE), (x + 5.0, y - NOTE / 2), (x - 5.0 - width, y - NOTE / 2)):
+            box = (left, low, left + width, low + NOTE)
+            if all(box[0] > b[2] or box[2] < b[0] or box[1] > b[3] or box[3] < b[1] for b in taken):
+                look = {"ha": "center", "va": "center", "fontsize": NOTE, "color": looks[row.line]["color"]}
+                common.note(axes, row.step, (row.x, row.cost), (left + width / 2 - x, low + NOTE / 2 - y), **look)
+                taken.append(box)
+                break
 
 
 def name_lines(axes: plt.Axes, rows: pd.DataFrame, errors: Errors, looks: dict, apart: bool = False) -> None:

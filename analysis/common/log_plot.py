@@ -93,6 +93,6 @@ def draw(lines: pd.DataFrame, key: str, ticks: dict[float, str], x_title: str, t
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:,g}")
     axes.set_xticks(list(ticks), list(ticks.values()))
     axes.minorticks_off()
-    of = f"grows with this power of the {x_title}" if key == "triangles" else None
-    axes.legend(handles=legend, loc="upper left", bbox_to_anchor=(-0.15, -0.2), title=of, alignment="left")
+    title = f"time grows with this power of the {key}"
+    axes.legend(handles=legend, loc="upper left", bbox_to_anchor=(-0.15, -0.2), title=title, alignment="left")
     return figure

@@ -29,12 +29,12 @@ NAMES = {
     "RSID, vectors": "RSID, vector instructions",
     "USID, vectors": "USID, vector instructions",
     "cube, 16 bits": "cube map, 16 bits",
-    "exact cells": "faces by cells of a cube, exact",
+    "exact cells": "exact cells, on the faces",
     "Embree": "Embree, rays",
     "CGAL": "CGAL, exact rays",
 }
 FOOT = (
-    "Lower left is better. Error: the worst gap of both scans in 12 poses. Tables along a line: {steps}, the finest at the left or top.\n"
+    "Lower left is better. Error: the worst gap of both scans in 12 poses. At points of tables: their precision, {steps}.\n"
     "Times of 1,000 and more poses: building, and so many times the time of a pose. One thread."
 )
 
@@ -51,7 +51,9 @@ def main(options) -> common.Figure:
     figure, grid = error_panel.grid_of(f"Error and time of finding gaps: {work_precision.scene_title(scene)}", foot, 3.2, 1.45, 0.0)
     for axes, (column, (title, unit, scale)) in zip(grid.flat, PANELS.items()):
         points = work_precision.fastest(own, column)
-        error_panel.draw(axes, points.assign(cost=scale * points[column]), error_panel.MICROMETRES, looks)
+        points = points.assign(cost=scale * points[column], step=points.step.where(points.step.str.endswith("°"), ""))
+        error_panel.draw(axes, points, error_panel.MICROMETRES, looks)
+        error_panel.write_steps(axes, points, error_panel.MICROMETRES, looks)
         axes.set(title=title, ylabel=unit)
     keys = [common.key(NAMES[line], **looks[line], markersize=5) for line in looks if line in set(own.line)]
     keys.append(common.key("proven bound of the same, in any direction", color="black", marker="|", linestyle=":", linewidth=0.8))

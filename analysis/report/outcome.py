@@ -63,11 +63,12 @@ def main_plot(results: Path) -> str:
     scene = work_precision.scenes(rows)["hip"]
     own = rows[rows.scene == scene]
     points = work_precision.fastest(own, SHOWN)
-    points = points.assign(cost=points[SHOWN] / 1e3).rename(columns={"error_um": "error", "bound_um": "bound"})
+    points = points.assign(cost=points[SHOWN] / 1e3, step=points.step.where(points.step.str.endswith("°"), "")).rename(columns={"error_um": "error", "bound_um": "bound"})
     looks = common.look(list(dict.fromkeys(work_precision.LINES.values())))
     figure, axes = plt.subplots(figsize=(6.3, 2.35))
     figure.subplots_adjust(left=0.09, right=0.8, bottom=0.19, top=0.97)
     error_panel.draw(axes, points, error_panel.MICROMETRES, looks)
+    error_panel.write_steps(axes, points, error_panel.MICROMETRES, looks)
     error_panel.name_lines(axes, points.assign(name=points.line), error_panel.MICROMETRES, looks, apart=True)
     axes.set(ylabel="time of 1,000 poses, s")
     said = speed(own, scene)

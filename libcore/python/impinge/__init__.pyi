@@ -55,17 +55,17 @@ class TouchAnswer(TypedDict):
 class Ball(TypedDict):
     impinged: int  # vertices with a gap of 0 or less, exactly
     clear_by_bound: int  # vertices that gap and bound prove clear
-    impinged_by_bound: int  # and impinged
-    undecided_by_bound: int  # and neither
-    without_gap: int  # vertices without one
+    impinged_by_bound: int  # vertices that they prove impinged
+    undecided_by_bound: int  # vertices that they leave undecided
+    without_gap: int  # vertices without a gap
     bounds_refuted: int  # verdicts by bound that the exact test contradicts
 
 class Socket(TypedDict):
     impinged: int  # vertices with a gap of 0 or less, exactly
     clear_by_bound: int  # vertices that gap and bound prove clear
-    impinged_by_bound: int  # and impinged
-    undecided_by_bound: int  # and neither
-    without_gap: int  # vertices without one
+    impinged_by_bound: int  # vertices that they prove impinged
+    undecided_by_bound: int  # vertices that they leave undecided
+    without_gap: int  # vertices without a gap
     bounds_refuted: int  # verdicts by bound that the exact test contradicts
 
 class RadialOverlap(TypedDict):
@@ -196,7 +196,7 @@ class Limit(TypedDict):
     low_deg: float  # free up to here (deg)
     high_deg: float  # where limited, not free here (deg)
     centre_low_deg: float  # free up to here for every common centre within 0.5 mm (deg)
-    centre_high_deg: float | None  # and not free here for any; null where that is not known (deg)
+    centre_high_deg: float | None  # not free here for any such centre; null where that is not known (deg)
     half_mm_gap_deg: float | None  # where the gap of a vertex first falls to 0.5 mm (deg)
     clock: str | None  # where on the rim's clock they touch
     what: str  # what meets what, and what a reader must know
@@ -204,7 +204,7 @@ class Limit(TypedDict):
     largest_deg: float  # growth that was looked at (deg)
     centre_of_rotation: list[float]  # x, y, z in the frame of the meshes (mm)
     play_low_deg: float  # free up to here for every play of the ball up to 0.5 mm (deg)
-    play_high_deg: float | None  # and not free here for any; null where that is not known (deg)
+    play_high_deg: float | None  # not free here for any such play; null where that is not known (deg)
     hangs_on_less_than_half_mm: bool  # does half a millimetre change it by more than 5 degrees?
     leaves_ball_mesh_deg: float | None  # from here on the ball's mesh ends under the socket (deg)
     ball_part: str | None  # what of the ball's bone touches; null without a contact
@@ -216,7 +216,7 @@ class Limit(TypedDict):
 class LimitsAnswer(TypedDict):
     centre_within_mm: float  # how far off centres and play may be in the ranges (mm)
     rim: bool  # of the rim alone? Else of all bone
-    rim_in_head_mm: float | None  # of the rim alone: how deep the rim lies in the head as scanned; it meets the neck late there, or not at all. Null: nowhere (mm)
+    rim_in_head_mm: float | None  # of the rim alone: how deep the rim lies in the head as scanned; there it meets the neck late or never. Null: nowhere (mm)
     limits: list[Limit]  # of each motion: contact about both centres, and the gap of the cartilage
 
 class VolumeAnswerMotion(TypedDict):
@@ -235,7 +235,7 @@ class VolumeAnswer(TypedDict):
     mobility_high_deg3: float  # at most (deg^3)
     reachable_low: float  # share that is reached from the pose of the scan without contact, at least
     reachable_high: float  # at most
-    neutral_blocked: bool  # is the pose of the scan?
+    neutral_blocked: bool  # is the pose of the scan blocked?
     unknown: float  # share of which nothing is known: the ball's mesh ends there
     open: float  # share that is undecided
     cells_asked: int  # cells of rotations that were decided
@@ -311,7 +311,7 @@ class NearestFree(TypedDict):
     inclination_change_deg: float  # from the socket as scanned (deg)
     anteversion_change_deg: float  # the same (deg)
     turn_deg: float  # angle of the one rotation about the centre that does both; the least there is (deg)
-    turn_axis: list[float] | None  # unit vector, frame of the meshes: the turn is anticlockwise seen against it; none where nothing turns
+    turn_axis: list[float] | None  # unit vector in the frame of the meshes, by the right-hand rule; none where nothing turns
     at_least_deg: float  # no orientation of the map is free after a smaller turn: undecided ones may be (deg)
 
 class Map(TypedDict):
@@ -321,9 +321,9 @@ class Map(TypedDict):
     squares: int  # that make it up
 
 class AreaDeg2(TypedDict):
-    free: float  # every required motion is (deg^2)
-    blocked: float  # one of them is (deg^2)
-    unknown: float  # the ball's mesh ends under the socket on the way (deg^2)
+    free: float  # where every required motion is free (deg^2)
+    blocked: float  # where one of them is blocked (deg^2)
+    unknown: float  # where the ball's mesh ends under the socket on the way (deg^2)
     open: float  # undecided at the resolution (deg^2)
 
 class OrientAnswer(TypedDict):
