@@ -74,7 +74,7 @@ def main_plot(results: Path) -> str:
     said = speed(own, scene)
     return (
         element("h2", "Error against time")
-        + element("p", html.escape(said) + " Lower left is better; | is a proven bound. " + element("a", "One pose, a million", href="#error-against-time") + ".")
+        + element("p", html.escape(said) + " Lower left is better; ° is the spacing of a table, | a proven bound. " + element("a", "One pose, a million", href="#error-against-time") + ".")
         + element("figure", picture.drawn(figure, said))
     )
 
