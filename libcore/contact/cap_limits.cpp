@@ -87,7 +87,6 @@ CapLimits::CapLimits(const TriangleMesh& mesh, Layer layer) {
 
 float CapLimits::reach(int level) const {
   if (level == 0) return HUGE_VALF;
-  if (level > finest_) return kAloneReach;
   return std::bit_cast<float>(static_cast<std::uint32_t>(kWidest + 1 - level) << kQuarterOctave);
 }
 

@@ -33,7 +33,9 @@ ToldLimit told_limit(const TurnLimits& limits, const JointTurn& turn, double thr
   question.doubt = CentreDoubt::play;
   told.play = limits.centre_interval(turn, told.limit, largest_deg, question);
   if (contact) told.half_mm_gap_deg = first_reached(limits.gap_of(turn, kErrorOfInput, largest_deg));
-  if (told.half_mm_gap_deg > told.limit.low_deg) told.half_mm_gap_deg.reset();  // beyond low nothing is known
+  // At a limit itself bones touch, without such a gap before; beyond low nothing is known.
+  const bool at_limit = told.limit.state == LimitState::limited && told.half_mm_gap_deg == told.limit.low_deg;
+  if (at_limit || told.half_mm_gap_deg > told.limit.low_deg) told.half_mm_gap_deg.reset();
   return told;
 }
 

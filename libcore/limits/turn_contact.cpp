@@ -115,7 +115,9 @@ void try_edges(const TurnEdge& ball, const TurnEdge& socket, Found& found) {
   const Vec3 across = along.cross(b);
   const double squared = across.squaredNorm();
   const Vec3 between = turned(ball.from, found.search.first()) - socket.from;
-  const double share = squared > 0.0 ? between.cross(along).dot(b.cross(along)) / squared : 0.0;
+  if (!(squared > 0.0))  // parallel: the normal is the way from one to the other
+    return found.note(ContactKind::edges, socket.from, b.cross(between.cross(b)));
+  const double share = between.cross(along).dot(b.cross(along)) / squared;
   found.note(ContactKind::edges, socket.from + std::clamp(share, 0.0, 1.0) * b, across);
 }
 

@@ -7,6 +7,7 @@
 #include "contact/culled_joint.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -231,6 +232,31 @@ TEST(TheoremCaps, AnswersAsAllFacesDoCloseToContact) {
   EXPECT_GT(seen.impinged, 3U);
   EXPECT_LT(seen.impinged, 21U);
   EXPECT_GT(seen.between_vertices, 0U);
+}
+
+// A surface whose faces are all edge-on is none, whichever of the two it is.
+TEST(TheoremCaps, AnswersAsAllFacesDoOfAnEmptySurface) {
+  TriangleMesh edge_on{{{9, 0, 0}, {0, 9, 0}, {-9, -9, 0}}, {{0, 1, 2}}};
+  for (const TriangleMesh& none : {TriangleMesh{}, edge_on}) {
+    for (const BallSocketPair& joint :
+         {BallSocketPair{octahedron(16.0), none}, BallSocketPair{none, octahedron(16.0)}}) {
+      EXPECT_EQ(expect_alike(joint, test::random_poses(10, 3.0, 30.0, 54)).impinged, 0U);
+      expect_alike(joint, {Pose{}});
+    }
+  }
+}
+
+TEST(CulledOverlay, GrowsWithTheFaces) {
+  const auto bytes = [](std::size_t faces) {
+    const BallSocketPair joint{sphere(20.0, faces), sphere(24.0, faces)};
+    const CulledJoint vertices(joint);
+    const std::size_t kept = joint.ball.faces.size() + joint.socket.faces.size();
+    const std::size_t found = CulledOverlay(vertices).bytes();
+    EXPECT_GT(found, kept * (sizeof(Face) + sizeof(int) + sizeof(std::uint32_t)));
+    return found;
+  };
+  EXPECT_LT(bytes(800), 10 * bytes(200));
+  EXPECT_GT(bytes(800), 3 * bytes(200));
 }
 
 // Faces wider than any look-up, and two surfaces that touch everywhere.

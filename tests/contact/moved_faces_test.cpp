@@ -229,10 +229,23 @@ TEST(TheoremNear, NoFartherThanPoints) {
   }
 }
 
+// Faces of 30 mm a thousandth of that from the centre: more than there are cuts for.
+TriangleMesh large_and_near(Dice& dice) {
+  TriangleMesh mesh;
+  for (int f = 0; f < 12; ++f) {
+    const Vec3 up = dice.direction();
+    const Vec3 along = 30.0 * up.unitOrthogonal();
+    const Vec3 across = up.cross(along);
+    const Vec3 foot = 0.03 * up;
+    test::add_face(mesh, foot + along, foot - 0.5 * along + across, foot - 0.5 * along - across);
+  }
+  return mesh;
+}
+
 TEST(TheoremNear, NoLargerThanThoseOfPoints) {
   Dice dice(9);
   for (int round = 0; round < 60; ++round) {
-    const FaceRuns surface(mixed(dice, dice.whole(1, 60)));
+    const FaceRuns surface(round > 0 ? mixed(dice, dice.whole(1, 60)) : large_and_near(dice));
     const LeastRadii radii(surface);
     for_points_of(surface, dice, [&](const Vec3& x) {
       for (std::size_t level = 0; level < LeastRadii::kLevels; ++level) {
@@ -265,6 +278,41 @@ TEST(MovedFaces, FacesAtTheCentre) {
   seen.expect_both(20);
 }
 
+// A pose takes the middle of a face to the centre, but for little or nothing: it is in all directions.
+TEST(MovedFaces, RoundTheCentre) {
+  Dice dice(10);
+  Answers seen;
+  TriangleMesh socket;
+  std::optional<FixedFaces> fixed;
+  for (int round = 0; round < 200; ++round) {
+    if (round % 20 == 0) {
+      socket = mixed(dice, 10);
+      fixed.emplace(socket);
+    }
+    TriangleMesh ball;
+    test::add_face(ball, 20.0 * dice.direction(), 20.0 * dice.direction(), 20.0 * dice.direction());
+    const Vec3 low = ball.vertices[0].cwiseMin(ball.vertices[1]).cwiseMin(ball.vertices[2]);
+    const Vec3 high = ball.vertices[0].cwiseMax(ball.vertices[1]).cwiseMax(ball.vertices[2]);
+    Pose pose{dice.rotation(), Vec3::Zero()};
+    pose.translation = dice.power(-6.0, -3.0) * dice.direction() - pose.rotation * (0.5 * (low + high));
+    seen.add(surfaces_meet(MovedFaces(ball), *fixed, pose), expected(ball, socket, pose), round);
+  }
+  seen.expect_both(20);
+}
+
+// A sliver that is too thin for the filter, and no line.
+TEST(MovedFaces, ASliverOfTheLastDigitsIsAFace) {
+  TriangleMesh wall;
+  test::add_face(wall, Vec3(1.5, -3, -3), Vec3(1.5, 3, -3), Vec3(1.5, 0, 3));
+  for (const double thick : {0.0, 0x1p-60}) {
+    TriangleMesh sliver;
+    test::add_face(sliver, Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, thick, 0));
+    EXPECT_EQ(FaceRuns(sliver).faces.size(), thick > 0.0 ? 1U : 0U);
+    EXPECT_EQ(meet(sliver, wall), thick > 0.0);
+    EXPECT_EQ(meet(wall, sliver), thick > 0.0);
+  }
+}
+
 TEST(MovedFaces, WithoutAreaMeetNothing) {
   TriangleMesh needle;
   test::add_face(needle, Vec3(0, 0, -1), Vec3(0, 0, 1), Vec3(0, 0, 2));
@@ -275,6 +323,7 @@ TEST(MovedFaces, WithoutAreaMeetNothing) {
     EXPECT_FALSE(meet(nothing, floor));
     EXPECT_FALSE(meet(floor, nothing));
     EXPECT_FALSE(meet(nothing, nothing));
+    EXPECT_FALSE(FixedFaces(nothing).meet({Vec3(-3, -3, 0), Vec3(3, -3, 0), Vec3(0, 3, 0)}));
   }
   for (int k = 0; k < 20; ++k) needle.faces.push_back(needle.faces.front());
   EXPECT_FALSE(meet(needle, floor));

@@ -27,6 +27,22 @@
 namespace impinge {
 namespace {
 
+TEST(CertifiedGap, IsImpingedWhereASurfaceCoversItAndClearWhereNoneDoes) {
+  const auto verdict = [](double low, double high, Cover cover) {
+    const CertifiedGap gap = certified(low, high, cover);
+    EXPECT_EQ(gap.verdict, verdict_of(low, high, cover));
+    return gap.verdict;
+  };
+  for (const Cover cover : {Cover::none, Cover::part, Cover::whole})
+    EXPECT_EQ(verdict(0.1, 0.2, cover), Verdict::clear);
+  EXPECT_EQ(verdict(HUGE_VAL, -HUGE_VAL, Cover::none), Verdict::clear);
+  EXPECT_EQ(verdict(-0.2, -0.1, Cover::none), Verdict::clear);
+  EXPECT_EQ(verdict(-0.2, 0.0, Cover::whole), Verdict::impinged);
+  EXPECT_EQ(verdict(-0.2, 0.1, Cover::whole), Verdict::undecided);
+  EXPECT_EQ(verdict(0.0, 0.1, Cover::whole), Verdict::undecided);
+  EXPECT_EQ(verdict(-0.2, -0.1, Cover::part), Verdict::undecided) << "the surface may be missing there";
+}
+
 constexpr auto kHalfUnit = static_cast<long double>(kExactRadiusError);
 
 // The gap of x by the oracle, exact but for half a unit in the last place of the radius.

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "gap/exact_side.hpp"
+#include "gap/face_overlay.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
@@ -98,6 +100,40 @@ TEST(Overlay, SeesACrossingOfEdgesThatNoVertexShows) {
   Pose up;
   up.translation.z() = -1.5;
   EXPECT_FALSE(overlay.impinged(up));
+}
+
+// The bars of the X above, so small that all products of three lengths vanish: exact signs tell that they
+// cross, and a depth is a length of theirs.
+TEST(Overlay, TheDepthOfATinyCrossingIsANumber) {
+  constexpr double kTiny = 0x1p-400;
+  const OverlayFace ball{{kTiny * Vec3(-8, 1, 21), kTiny * Vec3(8, 1, 21), kTiny * Vec3(0, 1, 10)}, 0};
+  const OverlayFace socket{{kTiny * Vec3(0, -7, 20), kTiny * Vec3(0, 7, 20), kTiny * Vec3(6, 9, 40)}, 0};
+  const Crossing found = crossing(ball.corner[0], ball.corner[1], socket.corner[0], socket.corner[1]);
+  EXPECT_TRUE(found.crosses);
+  EXPECT_EQ(found.order, 1);
+  EXPECT_LE(std::abs(depth_at(ball, socket, {OverlayKind::crossing, found.order, 0, 0})), kTiny * 8.0);
+}
+
+// A moved face is halved eight times at most, also where the surface at rest has more than 4^8 faces. Nearly
+// all of these are edge-on: they change no answer.
+TEST(Overlay, OfManyFacesAnswersAsOfFew) {
+  TriangleMesh socket = octahedron(30.0);
+  socket.faces.resize(70'000, Face{0, 1, 2});  // in a plane through the centre
+  const SurfaceOverlay overlay(octahedron(20.0), std::move(socket));
+  EXPECT_FALSE(overlay.impinged({}));
+  for (const double shift : {9.9, 10.1})
+    EXPECT_EQ(overlay.impinged({Eigen::Matrix3d::Identity(), Vec3(shift, 0, 0)}), shift > 10.0);
+}
+
+TEST(ExactlyImpinged, TheCentreIsInABallThatHasAFace) {
+  const TriangleMesh body = octahedron(20.0);
+  const TriangleMesh none;
+  const NearFaces faces(body, 0.1);
+  const NearFaces no_faces(none, 0.1);
+  EXPECT_TRUE(exactly_impinged(Surface::socket, faces, Vec3::Zero()));
+  EXPECT_FALSE(exactly_impinged(Surface::socket, no_faces, Vec3::Zero()));
+  EXPECT_FALSE(exactly_impinged(Surface::ball, faces, Vec3::Zero()));
+  EXPECT_FALSE(exactly_impinged(Surface::ball, no_faces, Vec3::Zero()));
 }
 
 // A ball that has slipped past the rim is beyond the socket, although the surfaces have no common point;
@@ -204,6 +240,7 @@ TEST(HoldsCentre, InsideOnASideAndBetweenCornersOnALine) {
   EXPECT_TRUE(holds({1, 0, 1}, {-2, 0, -2}, {3, 0, 3}));
   EXPECT_TRUE(holds({1, 0, 1}, {0, 0, 0}, {3, 0, 3}));
   EXPECT_FALSE(holds({1, 0, 1}, {2, 0, 2}, {3, 0, 3}));
+  EXPECT_FALSE(holds({-1, 0, -1}, {-2, 0, -2}, {-3, 0, -3}));
 }
 
 // Radial contact against the intersection of the surfaces, by CGAL (reference/meeting_surfaces.hpp):

@@ -37,6 +37,10 @@ test('a limit is told with ends rounded outward, for any centre and with play', 
   assert.match(told, /^Bones first touch between 53\.5678° and 53\.5680°, at 1:20 o’clock, rim and neck \(certified: no contact is skipped\)/);
   assert.match(told, /any centre within 0\.5 mm: at 40\.0° to 60\.1°; with that much play of the ball: not before 39\.0°\./);
   assert.match(told, /falls to 0\.5 mm at 50\.0°\.$/);
+  assert.match(words.limitWords({ ...LIMIT, hangs_on_less_than_half_mm: true }), /at 50\.0°: this answer is sensitive to less than that\.$/);
+  const without = { ...LIMIT, half_mm_gap_deg: null };
+  assert.match(words.limitWords(without), /not before 39\.0°\.$/);
+  assert.match(words.limitWords({ ...without, hangs_on_less_than_half_mm: true }), /This answer is sensitive to less than 0\.5 mm\.$/);
   assert.match(words.limitWords({ ...LIMIT, centre_low_deg: 0, centre_high_deg: null }), /within 0\.5 mm: not known;/);
   assert.match(words.limitWords({ ...LIMIT, state: 'free', low_deg: 119.7 }), /up to 119°/);
   assert.match(words.limitWords({ ...LIMIT, state: 'unknown' }), /up to 53\.5° \(certified\), where surfaces graze/);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -19,6 +20,7 @@
 #include "support/joined.hpp"
 #include "support/poses.hpp"
 #include "support/soup.hpp"
+#include "support/turned.hpp"
 
 namespace impinge {
 namespace {
@@ -192,6 +194,17 @@ TEST(ClearanceProof, SaysWhatIsInsideAsPosesAndLimitsDo) {
             Says::inside);
 }
 
+// In the hollow of a sheet that faces away from it, nothing is known.
+TEST(ClearanceProof, IsUnknownWhereAnOpeningHidesWhatIsInside) {
+  const TriangleMesh speck = test::moved(octahedron(0.1), Vec3(60.3, 0.2, 7.0));
+  const TriangleMesh sheet = test::moved(test::inside_out(cup(10.0, 60.0, 400)), Vec3(60, 0, 0));
+  const BallSocketPair main{octahedron(5.0), cup(8.0, 60.0, 100)};
+  const BodyPairs bodies(main, {{speck}, {sheet}});
+  const BallSocketPair all{test::joined(main.ball, speck), test::joined(main.socket, sheet)};
+  EXPECT_EQ(bodies.verdict({}).contact, Contact::unknown);
+  EXPECT_EQ(prove_pose({all, bodies, Vec3::Zero()}, {}).says, Says::unknown);
+}
+
 TEST(ClearanceProof, AgreesWithTheSolidAngle) {
   test::Dice random(4);
   const TriangleMesh femur = hip().ball;
@@ -248,6 +261,35 @@ TEST(ClearanceProof, OfATurnGoesAllTheWayRound) {
   };
   EXPECT_EQ(says(20.3, 359.0), Says::clear);
   EXPECT_EQ(says(20.0, 359.0), Says::open);
+}
+
+// Line by line as experiments/certificate_format.md has it.
+TEST(ClearanceProof, IsWrittenAsItsFormatSays) {
+  ClearanceProof proof;
+  proof.says = Says::clear;
+  proof.centre = Vec3(1.5, -2.0, 0.25);
+  proof.axis = {0, 0, -1};
+  proof.inner = {3, 0, 0, 4};
+  proof.last = {5, 1};
+  proof.files = {2, 1};
+  proof.cuts = {{ClearCut::Kind::turn, {10, 1, 0}, 0},
+                {ClearCut::Kind::plane, {1, -2, 3}, -1024},
+                {},
+                {},
+                {ClearCut::Kind::sphere, {}, 20480},
+                {},
+                {}};
+  const std::string start =
+      "files 2 1\ncentre 1.500000000 -2.000000000 0.250000000\nshift 0.000000000 0.000000000 0.000000000\n"
+      "outer 1 0 0 0\naxis 0 0 -1\ninner 3 0 0 4\nlast 5 1\nunit 1024\n";
+  EXPECT_EQ(proof_text(proof), "impinge certificate 2 clear\n" + start +
+                                   "turn 10 1\nplane 1 -2 3 -1024\n-\n-\nsphere 20480\n-\n-\nend\n");
+  proof.cuts.clear();
+  proof.says = Says::inside;
+  EXPECT_EQ(proof_text(proof), "impinge certificate 2 contact\n" + start + "inside\nend\n");
+  proof.says = Says::crossing;
+  proof.faces = {7, 3};
+  EXPECT_EQ(proof_text(proof), "impinge certificate 2 contact\n" + start + "cross 7 3\nend\n");
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -323,6 +325,48 @@ TEST(SweptParts, AreFirstWithinWhereBruteForceHasThem) {
     ASSERT_GE(surplus(given, first), -kSearchStep * (given.arm + given.within.growth)) << k;
   }
   EXPECT_GT(met, cases / 4);
+}
+
+// A triangle goes round a point on the axis, always 10 mm away from it, which the search cannot tell from a
+// distance that is less by the way of its finest steps: it gives up early, on the safe side.
+TEST(SweptParts, ThatStayNearlyAsNearForLongAreNotFollowedToTheEnd) {
+  const SweptParts turning({turn_face({10, -3, 5}, {10, 3, 5}, {12, 0, 5})});
+  const SweptParts resting({turn_point({0, 0, 5})});
+  const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
+  const SweptPair pair{turning, upright, resting, upright};
+  const auto first = [&](double short_of) {
+    return first_within(
+        pair, [&](const AngleSpan&) { return 10.0 - short_of; }, kWholeTurn);
+  };
+  EXPECT_EQ(first(-1e-3), 0.0) << "they are as near all the time";
+  EXPECT_EQ(first(0.1), kWholeTurn) << "they never are";
+  const double given_up = first(12.0 * 2.5e-5);
+  EXPECT_GT(given_up, 0.0);
+  EXPECT_LT(given_up, kWholeTurn);
+}
+
+TEST(SweptParts, OfNothingAreNearNothing) {
+  const SweptParts none;
+  const SweptParts one({turn_point({1, 0, 0})});
+  EXPECT_TRUE(none.empty());
+  EXPECT_FALSE(none.any_node([](const SweptParts::Node&) { return true; }));
+  EXPECT_TRUE(none.farther_than(1e9, Vec3::Zero()));
+  EXPECT_FALSE(one.farther_than(1e9, Vec3::Zero()));
+  const auto pair_is_asked = [](const SweptParts& a, const SweptParts& b) {
+    const auto apart = [](std::uint32_t, std::uint32_t) { return false; };
+    return any_pair(a, b, apart, [](std::uint32_t, std::uint32_t) { return true; });
+  };
+  const auto first_near = [](const SweptParts& a, const SweptParts& b) {
+    const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();
+    return first_within(
+        {a, upright, b, upright}, [](const AngleSpan&) { return 1e9; }, 1.0);
+  };
+  EXPECT_TRUE(pair_is_asked(one, one));
+  EXPECT_EQ(first_near(one, one), 0.0);
+  for (const auto& [a, b] : {std::pair(&none, &one), std::pair(&one, &none), std::pair(&none, &none)}) {
+    EXPECT_FALSE(pair_is_asked(*a, *b));
+    EXPECT_EQ(first_near(*a, *b), 1.0);
+  }
 }
 
 }  // namespace

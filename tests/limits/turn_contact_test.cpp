@@ -219,6 +219,32 @@ TEST(TurnContact, OfATangentInOnePlaneIsNotAtTheStart) {
   EXPECT_GT(first->angle, 0.11751164543144539 - 1e-3);
 }
 
+// Sides along the axis, that of the socket the shorter one, both 5 mm from it and a right angle apart: they
+// meet head on, whether the wall is behind its side or beside it.
+TEST(TurnContact, OfParallelEdgesIsAcrossBothOfThem) {
+  const TriangleMesh ball{{{5, 0, -9}, {5, 0, 9}, {4, -1, 9}}, {{0, 1, 2}}};
+  for (const Vec3& behind : {Vec3(-1, 7, 0), Vec3(-1, 3, 0)}) {
+    const BallSocketPair joint{ball, {{behind, {0, 5, -2}, {0, 5, 2}}, {{0, 1, 2}}}};
+    const auto first = Turning{joint, Vec3::UnitZ()}.first({0.0, kFarthest});
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->kind, ContactKind::edges);
+    EXPECT_NEAR(first->angle, 0.5 * kPi, 1e-9);
+    EXPECT_LE(first->angle, 0.5 * kPi);
+    EXPECT_NEAR((first->place - Vec3(0, 5, first->place.z())).norm(), 0.0, 1e-7);
+    EXPECT_LE(std::abs(first->place.z()), 2.0);
+    EXPECT_NEAR(std::abs(first->normal.x()), 1.0, 1e-6);
+  }
+}
+
+TEST(TurnContact, IsNoneWithoutFaces) {
+  const TriangleMesh ball{{{0, 5, 0}, {-0.5, 4.8, 0.3}, {-0.5, 4.8, -0.3}}, {{0, 1, 2}}};
+  for (const BallSocketPair& joint : {BallSocketPair{ball, {}}, BallSocketPair{{}, ball}, BallSocketPair{}}) {
+    const Turning turning{joint, Vec3::UnitZ()};
+    EXPECT_FALSE(turning.first({0.0, 2.0 * kPi}));
+    EXPECT_FALSE(turning.gap(100.0, {0.0, 2.0 * kPi}));
+  }
+}
+
 TEST(TheoremTurn, SpansHoldAllAnglesThatAreNearZero) {
   for (const Sinusoid& f :
        {Sinusoid{3, -4, 2}, Sinusoid{1, 0, 1}, Sinusoid{0, 0, 1e-4}, Sinusoid{0, 2, -1}}) {

@@ -133,6 +133,23 @@ TEST(TheoremSigns, DecidesNearlyCoplanarPointsExactly) {
   for (const int count : seen) EXPECT_GT(count, 100);
 }
 
+// Products of three lengths below the least and above the largest double, and the error bound of a filter
+// below the least normal one.
+TEST(TheoremSigns, OfAPlaneAreThoseOfAnyUnit) {
+  const std::array<Vec3, 4> x{Vec3(3, 1, 2), Vec3(-2, 4, 1), Vec3(1, -3, 5), Vec3(2, 2, 3)};
+  const std::array<Vec3, 4> flat{Vec3(3, 1, 2), Vec3(-2, 4, 1), Vec3(1, -3, 5), Vec3(-4, 0, 4)};
+  const int expected = plane_side(x[0], x[1], x[2], x[3]);
+  EXPECT_NE(expected, 0);
+  for (int exponent = -500; exponent <= 500; exponent += 10) {
+    const double unit = std::ldexp(1.0, exponent);
+    const auto side = [unit](const std::array<Vec3, 4>& of) {
+      return plane_side(unit * of[0], unit * of[1], unit * of[2], unit * of[3]);
+    };
+    EXPECT_EQ(side(x), expected) << exponent;
+    EXPECT_EQ(side(flat), 0) << exponent;
+  }
+}
+
 TEST(PlaneSide, OfTheCentreIsTheOppositeOfTheOrientation) {
   const auto u = test::random_directions(300, 3);
   for (std::size_t k = 0; k + 2 < u.size(); k += 3) {

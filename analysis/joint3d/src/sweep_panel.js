@@ -28,7 +28,7 @@ function ofOtherCentres(limit) {
 }
 
 function halfMillimetre({ half_mm_gap_deg: half, hangs_on_less_than_half_mm: hangs }) {
-  if (half === null) return "";
+  if (half === null) return hangs ? ` This answer is sensitive to less than ${WITHIN} mm.` : "";
   return ` The gap falls to ${WITHIN} mm at ${roundedDown(half, 1)}°${hangs ? ": this answer is sensitive to less than that" : ""}.`;
 }
 
