@@ -68,11 +68,11 @@ bool passes(const Opening& opening, const Vec3& out_of, const Vec3& into) {
   return first <= last + kNodeRounding;
 }
 
-// Calls visit(triangle) for triangles near the segment until it returns true; returns whether it did.
+// Calls visit(triangle) for triangles near the segment until it returns true; returns whether it did. There
+// is a face.
 template <class Visit>
 bool visit_near(const SweptParts& faces, const Vec3& from, const Vec3& to, const Visit& visit) {
-  std::vector<std::uint32_t> pending;
-  if (!faces.nodes().empty()) pending.push_back(0);
+  std::vector<std::uint32_t> pending{0};
   while (!pending.empty()) {
     const SweptParts::Node& node = faces.nodes()[pending.back()];
     pending.pop_back();
@@ -160,7 +160,7 @@ void BodyPairs::Body::find_openings(const TriangleMesh& all) {
   for (const Edge& edge : odd) {
     for (const VertexIndex v : edge) borders[sets.find(v).root].push_back(all.vertices[v]);
   }
-  if (borders.empty()) return;
+  if (borders.empty() || faces().empty()) return;
   double area = 0.0;
   for (const Face& face : all.faces) area += 0.5 * area_vector(all, face).norm();
   const double radius = faces().nodes()[0].radius;

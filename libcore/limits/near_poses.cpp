@@ -267,7 +267,7 @@ class TouchingBalls {
   TouchingBall at(const Vec3& v, const Vec3& side) const {
     TouchingBall ball{v, v, faces_.nodes()[0].radius};
     for (const Vec3& y : some_) shrink(ball, side, y);
-    for (int k = 0; k < kMostShrinks && ball.radius > 0.0; ++k) {
+    for (int k = 0; k < kMostShrinks; ++k) {
       const auto y = nearest_within(faces_, v + ball.radius * side, ball.radius * (1.0 - kTouches));
       if (!y) break;
       shrink(ball, side, *y);

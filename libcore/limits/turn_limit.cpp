@@ -116,7 +116,7 @@ TurnLimit TurnLimits::bracket(const JointTurn& turn, double largest_deg, const N
   double past = kPast;
   std::optional<double> certain;
   std::optional<TurnContact> last_contact;
-  for (int contacts = 0; contacts < kMostContacts && !certain; ++contacts) {
+  for (int contacts = 1; !certain; ++contacts) {
     const std::optional<TurnContact> contact = next(AngleSpan{from, largest});
     if (!contact) break;
     last_contact = contact;
@@ -124,7 +124,7 @@ TurnLimit TurnLimits::bracket(const JointTurn& turn, double largest_deg, const N
       limit.low_deg = std::max(0.0, contact->angle - kTurnRounding) / kDegree;
     limit.state = LimitState::unknown;
     past = contact->angle > from ? kPast : 2.0 * past;
-    const bool last = contacts + 1 == kMostContacts;
+    const bool last = contacts == kMostContacts;
     from = last ? largest : std::min(contact->angle + past, largest);
     certain = first_reached(contact->angle, from, reached);
     if (from >= largest) break;
@@ -205,8 +205,8 @@ CentreInterval TurnLimits::centre_interval(const JointTurn& turn, const TurnLimi
   const CentreIntervals& centres = intervals(question);
   CentreInterval interval{0.0, largest_deg, false};
   if (limit.state == LimitState::blocked && question.doubt == CentreDoubt::common &&
-      (turn.outer * turn.inner).isIdentity(0.0))
-    return {0.0, 0.0, true};  // at rest no common centre moves the ball
+      (turn.outer * turn.inner).isIdentity(0.0) && answers_->bodies.meet(pose_at(turn, 0.0)))
+    return {0.0, 0.0, true};  // at rest no common centre moves the ball; gaps and radii are of rays from it
   if (limit.state != LimitState::blocked) interval.low_deg = centres.low_deg(turn, limit.low_deg);
   if (limit.state == LimitState::limited || limit.state == LimitState::blocked) {
     const auto high = centres.high_deg(turn, {limit.low_deg, limit.high_deg, largest_deg, limit.contact});

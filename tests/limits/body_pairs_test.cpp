@@ -15,9 +15,13 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "contact/turn_surface.hpp"
 #include "hip/hip.hpp"
+#include "limits/near_poses.hpp"
+#include "limits/swept_parts.hpp"
 #include "limits/turn_limit.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/collinear.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/icosphere.hpp"
 #include "mesh/meeting_faces.hpp"
@@ -663,6 +667,327 @@ TEST(TheoremContact, AreWithinAGapWhereCgalSays) {
   }
   EXPECT_EQ(clear, 12U);
   EXPECT_EQ(within, 12U);
+}
+
+// A part of which no face has an area is in contact with nothing, however near.
+TEST(BodyPairs, APartWithoutFacesIsNowhere) {
+  const TriangleMesh flat{{kFar, kFar + Vec3::UnitX(), kFar + 2.0 * Vec3::UnitX()}, {{0, 1, 2}}};
+  const TriangleMesh bone = sphere_at(6.0, 1, kFar);
+  const BallSocketPair main{octahedron(5.0), cup(8.0, 60.0, 20)};
+  for (const bool of_ball : {true, false}) {
+    BodyPairs pairs(main, {{of_ball ? flat : bone}, {of_ball ? bone : flat}});
+    pairs.find_inner_balls(main);
+    EXPECT_EQ(verdict(pairs).contact, Contact::no);
+    EXPECT_FALSE(pairs.may_meet({.turn = 0.01, .shift_mm = 0.5}));
+    EXPECT_FALSE(pairs.overlap({.turn = 0.01}));
+    EXPECT_TRUE(pairs.deepest({.turn = 0.01}, false, 5).empty());
+    const BodyPairs::Nearest found = pairs.nearest_part({}).value();
+    EXPECT_NE(of_ball ? found.pair.ball : found.pair.socket, 1U) << "of the bones only";
+  }
+  EXPECT_FALSE(BodyPairs({flat, main.socket}, {{}, {bone}}).nearest_part({}));
+}
+
+// Two places that are not known are told as the first of them, and one contact after them as the contact.
+TEST(BodyPairs, TellTheFirstThatIsNotKnown) {
+  const TriangleMesh sheet = test::inside_out(test::moved(cup(10.0, 60.0, 400), kFar));
+  const TriangleMesh inside = speck(kFar + Vec3(0.3, 0.2, 9.0));
+  const BodyPairs::Verdict said = verdict(BodyPairs(small_joint(), {{inside}, {sheet, sheet}}));
+  EXPECT_EQ(said.contact, Contact::unknown);
+  EXPECT_EQ(said.pair.socket, 1U);
+  const BodyPairs::Verdict later =
+      verdict(BodyPairs(small_joint(), {{inside}, {sheet, sheet, sphere_at(12.0, 1, kFar)}}));
+  EXPECT_EQ(later.contact, Contact::yes);
+  EXPECT_EQ(later.pair.socket, 3U);
+}
+
+// Of bodies that touch the surfaces are 0 mm apart, inside too; of two at the same angle of a turn the first
+// is told.
+TEST(BodyPairs, ThatTouchAreNearest) {
+  const Vec3 turned = Eigen::AngleAxisd(0.6, Vec3::UnitZ()) * kFar;
+  const BodyPairs pairs(small_joint(),
+                        {{sphere_at(2.0, 1, kFar)}, {sphere_at(3.0, 1, turned), sphere_at(3.0, 1, turned)}});
+  EXPECT_FALSE(pairs.nearest_part({}).value().touch);
+  for (const Vec3& off : {Vec3(0, 0, 0), Vec3(0, 0, 3)}) {
+    const BodyPairs::Nearest found =
+        pairs.nearest_part({Eigen::Matrix3d::Identity(), turned - kFar + off}).value();
+    EXPECT_TRUE(found.touch);
+    EXPECT_EQ(found.distance_mm, 0.0);
+    EXPECT_EQ(found.pair.ball, 1U);
+    EXPECT_EQ(found.pair.socket, 1U);
+  }
+  const TurnContact met = pairs.first_contact({.axis = Vec3::UnitZ()}, {0.0, kPi}).value();
+  EXPECT_NEAR(met.angle, 0.6 - 2.0 * std::asin(2.5 / kFar.head<2>().norm()), 0.01);
+  EXPECT_EQ(met.body, (std::array<std::size_t, 2>{1, 1}));
+}
+
+// Surfaces alone are in contact where they meet, and hold nothing.
+TEST(BodyPairs, OfSurfacesHoldNothing) {
+  const BodyPairs pairs = BodyPairs::of_surfaces({icosphere(5.0, 1), icosphere(9.0, 1)});
+  EXPECT_FALSE(pairs.has_inside());
+  EXPECT_EQ(verdict(pairs).contact, Contact::no);
+  EXPECT_EQ(pairs.verdict({Eigen::Matrix3d::Identity(), Vec3(6, 0, 0)}).rule, ContactRule::surfaces);
+  const BodyPairs bones({icosphere(5.0, 1), test::moved(icosphere(9.0, 1), {0, 0, 12})}, {});
+  for (const BodyPairs::Vertex& vertex : bones.near({}, {}, {0, 0, 5}, 1.0)) {
+    EXPECT_EQ(bones.is_inside_by(vertex, {}, 0.5), vertex.of_ball);
+    EXPECT_FALSE(pairs.is_inside_by(vertex, {}, 0.5));
+  }
+}
+
+// Where the caller decides about the main surfaces by radii, these may meet: faces of a whole bone that are
+// of its main surface are left out against those of the other one, and no others.
+TEST(BodyPairs, AreAskedBesideTheMainSurfacesAlone) {
+  TriangleMesh femur = icosphere(20.0, 1);  // with a bump 0.5 mm below the cup
+  Vec3& top = *std::ranges::max_element(femur.vertices, {}, [](const Vec3& x) { return x.z(); });
+  top = 24.5 * Vec3::UnitZ();
+  const TriangleMesh inner = cup(25.0, 60.0, 100);
+  const BallSocketPair main{femur, inner};
+  const auto at = [](double degrees, double far) {
+    return Vec3(0, far * std::sin(degrees * kDegree), -far * std::cos(degrees * kDegree));
+  };
+  BoneParts whole;  // a pelvis with a wall, and on the femur a bone below it
+  whole.whole_ball = test::joined(femur, test::moved(icosphere(1.5, 1), at(0.0, 27.5)));
+  whole.whole_socket = test::with_back(inner, cup(30.0, 60.0, 100));
+  ASSERT_TRUE(boundary_edges(*whole.whole_socket).empty());
+  BodyPairs pairs(main, whole);
+  const NearPoses shifted{.turn = 1e-3, .shift_mm = 1.0};
+  EXPECT_TRUE(pairs.may_meet(shifted, true)) << "the main surfaces are not known yet";
+  pairs.find_inner_balls(main, true);
+  EXPECT_TRUE(pairs.may_meet(shifted));
+  EXPECT_FALSE(pairs.may_meet(shifted, true));
+  const NearPoses turned{.turn = 0.05, .shift_mm = 0.4};
+  EXPECT_GT(pairs.close(turned, false, 1000).value().size(), 0U);
+  EXPECT_EQ(pairs.close(turned, true, 1000).value().size(), 0U);
+  EXPECT_TRUE(pairs.may_meet({.turn = 1e-3, .shift_mm = 6.0}, true)) << "the rim is no main surface";
+  // The bone below turns into the wall, 25 to 30 mm from the centre.
+  const auto pose = [](double degrees) {
+    return NearPoses{.rotation = Eigen::AngleAxisd(degrees * kDegree, Vec3::UnitX()).toRotationMatrix(),
+                     .turn = 1e-3};
+  };
+  for (const double degrees : {0.0, 60.0, 100.0}) {
+    EXPECT_FALSE(pairs.may_meet(pose(degrees), true)) << degrees;
+    EXPECT_FALSE(pairs.overlap(pose(degrees), true)) << degrees;
+  }
+  for (const double degrees : {140.0, 160.0}) {
+    EXPECT_TRUE(pairs.may_meet(pose(degrees), true)) << degrees;
+    EXPECT_TRUE(pairs.overlap(pose(degrees), true)) << degrees;
+  }
+}
+
+// A ball and a socket of few faces, and what is beside them.
+BodyPairs with_inner_balls(const TriangleMesh& ball, const TriangleMesh& socket) {
+  const Vec3 away(0.0, 0.0, -60.0);
+  const BallSocketPair main{test::moved(octahedron(5.0), away), test::moved(cup(8.0, 60.0, 20), away)};
+  BodyPairs pairs(main, {{ball}, {socket}});
+  pairs.find_inner_balls(main);
+  return pairs;
+}
+
+// A part that is a sheet holds nothing; points of it are found inside another body, and within a gap.
+TEST(BodyPairs, ASheetIsInsideABodyWithItsPoints) {
+  const TriangleMesh sheet = test::moved(cup(5.0, 60.0, 100), kFar);
+  const TriangleMesh round = sphere_at(8.0, 1, kFar);
+  const BodyPairs in_round = with_inner_balls(sheet, round);
+  const BodyPairs round_it = with_inner_balls(round, sheet);
+  const BodyPairs above = with_inner_balls(sheet, sphere_at(2.0, 2, kFar + Vec3(0, 0, 10)));  // by 3 mm
+  const BodyPairs below = with_inner_balls(sphere_at(2.0, 2, kFar + Vec3(0, 0, 1)), sheet);   // by 2 mm
+  for (const double shift : {0.0, 0.5}) {
+    const NearPoses poses{.turn = 1e-4, .shift_mm = shift};
+    EXPECT_TRUE(in_round.overlap(poses));
+    EXPECT_TRUE(round_it.overlap(poses));
+    EXPECT_FALSE(above.overlap(poses));
+    EXPECT_FALSE(below.overlap(poses));
+  }
+  EXPECT_TRUE(above.overlap({.turn = 1e-4, .gap_mm = 3.3}));
+  EXPECT_FALSE(above.overlap({.turn = 1e-4, .gap_mm = 2.9}));
+  EXPECT_TRUE(below.overlap({.turn = 1e-4, .gap_mm = 2.5}));
+  EXPECT_FALSE(below.overlap({.turn = 1e-4, .gap_mm = 1.9}));
+}
+
+// A speck at x, as far from the body's surface and its openings as `depth`, and outside if that is 0, stays
+// inside in all poses that are shifted by a share of that, and in no poses of a larger shift.
+void expect_stays_inside(const TriangleMesh& body, const Vec3& x, double depth, double share = 0.7) {
+  for (const bool of_ball : {true, false}) {
+    const BodyPairs pairs = of_ball ? with_inner_balls(speck(x), body) : with_inner_balls(body, speck(x));
+    EXPECT_EQ(pairs.overlap({.turn = 1e-6, .shift_mm = share * depth}), depth > 0.0);
+    for (const double shift : {depth + 0.01, 40.0})
+      EXPECT_FALSE(pairs.overlap({.turn = 1e-6, .shift_mm = shift})) << shift;
+    const std::vector<WithinReach> found = pairs.deepest({.turn = 1e-6}, false, 1);
+    ASSERT_EQ(found.size(), depth > 0.0 ? 1U : 0U);
+    if (found.empty()) continue;
+    const double deepest = found[0].reach - (found[0].of_ball - found[0].of_socket).norm();
+    EXPECT_GT(deepest, share * depth);
+    EXPECT_LT(deepest, depth + 0.01);
+  }
+}
+
+TEST(BodyPairs, ASpeckStaysInsideAsLongAsItIsDeep) {
+  const TriangleMesh cube = octahedron(10.0);
+  const auto part = [](const TriangleMesh& mesh) { return test::moved(mesh, kFar); };
+  const double deep = 10.0 / std::sqrt(3.0);
+  for (const TriangleMesh& body : {part(cube), part(test::inside_out(cube))}) {
+    expect_stays_inside(body, kFar, deep);
+    expect_stays_inside(body, kFar + Vec3(4, 4, 4), 0.0);
+  }
+}
+
+// A face so thin that doubles give it no normal, and no speck less depth: a body is closed only with it.
+TEST(BodyPairs, AFaceWithoutANormalClosesABody) {
+  const Vec3 end(3, 3, 3);
+  double x = 1.5;
+  const auto middle = [&] { return Vec3(x, std::nextafter(x, 2.0), x); };
+  while (turn_face(end, Vec3::Zero(), middle()).normal.norm() > 0.0) x = std::nextafter(x, 2.0);
+  const TriangleMesh body{{Vec3::Zero(), end, middle(), {9, 0, 0}, {0, 9, 0}},
+                          {{0, 1, 3}, {1, 0, 2}, {2, 0, 4}, {1, 2, 4}, {0, 3, 4}, {3, 1, 4}}};
+  ASSERT_TRUE(boundary_edges(body).empty());
+  ASSERT_FALSE(collinear(end, Vec3::Zero(), middle()));
+  const double volume = 40.5;
+  const double area = 27.0 * std::sqrt(2.0) + 40.5 + 13.5 * std::sqrt(3.0);
+  expect_stays_inside(body, {2.87, 2.87, 1.19}, 3.0 * volume / area);
+}
+
+// The centre is inside by less than counts.
+TEST(BodyPairs, ACentreNextToADiscIsNoInnerBall) {
+  for (const double at : {-1e-3, -5.0}) {
+    TriangleMesh half = test::inside_out(cup(20.0, 90.0, 100));
+    const std::vector<Edge> rim = boundary_edges(half);
+    half.vertices.emplace_back(0, 0, 0);
+    for (const auto& [a, b] : rim)
+      half.faces.push_back({b, a, static_cast<VertexIndex>(half.vertices.size() - 1)});
+    half = test::moved(half, {0, 0, at});
+    for (const double z : {at + 4.0, at - 4.0}) {
+      const BallSocketPair main{half, cup(40.0, 60.0, 20)};
+      BodyPairs pairs(main, {{}, {speck({0.0, 0.0, z})}});
+      pairs.find_inner_balls(main);
+      EXPECT_EQ(pairs.overlap({.turn = 1e-6, .shift_mm = 2.0}), z > at) << at;
+      EXPECT_FALSE(pairs.overlap({.turn = 1e-6, .shift_mm = 4.5}));
+      EXPECT_EQ(pairs.overlap({.turn = 3.0}), z > at && at < -1.0) << "in the ball about the centre";
+    }
+  }
+}
+
+// A plate that is thinner than a thousandth of its size has points of its surface, and may be inside too.
+TEST(BodyPairs, AThinPlateIsInsideABodyWithItsPoints) {
+  TriangleMesh plate = octahedron(1.0);
+  for (Vec3& x : plate.vertices) x = kFar + Vec3(4.0 * x.x(), 4.0 * x.y(), 0.0045 * x.z());
+  const BodyPairs within = with_inner_balls(plate, sphere_at(8.0, 1, kFar));
+  EXPECT_TRUE(within.overlap({.turn = 1e-6, .shift_mm = 1.0}));
+  EXPECT_FALSE(within.overlap({.turn = 1e-6, .shift_mm = 9.0}));
+  const BodyPairs above = with_inner_balls(plate, sphere_at(2.0, 2, kFar + Vec3(0, 0, 5)));
+  EXPECT_FALSE(above.overlap({.turn = 1e-6, .gap_mm = 2.9}));
+  EXPECT_TRUE(above.overlap({.turn = 1e-6, .gap_mm = 3.8}));
+}
+
+// A shaft of 5 mm that is cut at z = 0, its last faces as low as a thousandth of it: a speck on its axis is
+// inside by its distance from the cut or the wall.
+TEST(BodyPairs, AShaftIsInsideUpToWhereItIsCut) {
+  TriangleMesh shaft;
+  constexpr VertexIndex kSides = 12;
+  constexpr std::array<double, 5> kRings{0.0, -0.02, -3.0, -10.0, -50.0};
+  for (const double z : kRings) {
+    for (VertexIndex k = 0; k < kSides; ++k) {
+      const double at = 2.0 * kPi * k / kSides;
+      shaft.vertices.push_back(kFar + Vec3(5.0 * std::cos(at), 5.0 * std::sin(at), z));
+    }
+  }
+  shaft.vertices.push_back(kFar + Vec3(0, 0, -50));
+  for (VertexIndex k = 0; k < kSides; ++k) {
+    const VertexIndex l = (k + 1) % kSides;
+    for (VertexIndex ring = 0; ring < 4 * kSides; ring += kSides) {
+      shaft.faces.push_back({ring + k, ring + kSides + k, ring + kSides + l});
+      shaft.faces.push_back({ring + k, ring + kSides + l, ring + l});
+    }
+    shaft.faces.push_back({4 * kSides + k, 5 * kSides, 4 * kSides + l});
+  }
+  ASSERT_EQ(boundary_edges(shaft).size(), kSides);
+  expect_stays_inside(shaft, kFar + Vec3(0, 0, -7.7), 5.0 * std::cos(kPi / kSides), 0.2);
+  expect_stays_inside(shaft, kFar + Vec3(0, 0, -2), 2.0, 0.2);
+  expect_stays_inside(shaft, kFar + Vec3(0, 0, 1), 0.0);
+}
+
+// The rays that tell what is inside, as limits/body_pairs.cpp casts them from x through a body.
+std::vector<Vec3> ends_of_rays(const TriangleMesh& body, const Vec3& x) {
+  constexpr int kRays = 16;
+  const SweptParts parts(turn_faces(body));
+  const SweptParts::Node& all = parts.nodes()[0];
+  const double away = (x - all.centre).norm();
+  std::vector<Vec3> ends;
+  for (int k = 0; k < kRays; ++k) {
+    const double z = 0.9973 - 2.0 * (k + 0.5) / kRays * 0.9973;
+    const double azimuth = 2.39996 * k + 0.7;
+    const double rho = std::sqrt(1.0 - z * z);
+    ends.push_back(x + 2.0 * (away + all.radius) * Vec3(rho * std::cos(azimuth), rho * std::sin(azimuth), z));
+  }
+  return ends;
+}
+
+// A closed socket round the centre, and in it pieces of bone with an edge, or a corner, exactly on rays.
+// These do not count: where one is there is another, and if all meet one nothing is known.
+TEST(BodyPairs, RaysThroughEdgesAreNotCounted) {
+  const TriangleMesh room = octahedron(32.0);
+  const auto told = [&](const TriangleMesh& socket, const Vec3& x) {
+    const BodyPairs pairs({octahedron(1.0), socket}, {});
+    return pairs.is_inside_by({{}, true, x}, {}, 0.0);
+  };
+  const Vec3 end = ends_of_rays(room, Vec3::Zero())[0];
+  const Vec3 p = end / 4.0;
+  const Vec3 aside = p.unitOrthogonal();
+  const Vec3 over = p.cross(aside);
+  // The ray of the centre passes a corner, or the middle of the side between the first two corners.
+  const std::vector<TriangleMesh> pieces{
+      {{p, p + aside, p + aside + 0.1 * over, p + 1.5 * aside + 0.2 * p},
+       {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}},
+      {{p, p + aside, p + aside + 0.1 * over, p + 1.5 * aside + 0.2 * p},
+       {{2, 1, 0}, {1, 3, 0}, {3, 2, 0}, {1, 2, 3}}},
+      {{{p.x(), p.y(), 0.0}, {0.0, 0.0, p.z()}, p + 0.2 * over, p - 0.2 * over},
+       {{1, 2, 0}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}}};
+  for (const TriangleMesh& piece : pieces) {
+    ASSERT_TRUE(boundary_edges(piece).empty());
+    const TriangleMesh socket = test::joined(room, piece);
+    ASSERT_EQ(ends_of_rays(socket, Vec3::Zero())[0], end);
+    EXPECT_EQ(verdict(BodyPairs({octahedron(1.0), socket}, {})).contact, Contact::no);
+    EXPECT_FALSE(told(socket, {0.3, 0.1, 0.2}));
+    EXPECT_TRUE(told(socket, {30.0, 30.0, 2.0}));
+  }
+  // Every ray from x passes an edge along +z: of the hollow, which is not inside, that is not known either.
+  const Vec3 x(0.0, 0.0, 3.0);
+  TriangleMesh socket = room;
+  for (const Vec3& to : ends_of_rays(room, x)) {
+    const Vec3 on = to / 16.0;
+    const double z = x.z() + (to.z() - x.z()) / 16.0;
+    const Vec3 out = 0.05 * Vec3(on.x(), on.y(), 0.0);
+    const Vec3 across(-out.y(), out.x(), 0.0);
+    const TriangleMesh piece{{{on.x(), on.y(), z - 0.1},
+                              {on.x(), on.y(), z + 0.1},
+                              Vec3(on.x(), on.y(), z) + out + across,
+                              Vec3(on.x(), on.y(), z) + out - across},
+                             {{0, 1, 2}, {1, 0, 3}, {0, 2, 3}, {1, 3, 2}}};
+    socket = test::joined(socket, piece);
+  }
+  ASSERT_EQ(ends_of_rays(socket, x), ends_of_rays(room, x));
+  EXPECT_FALSE(told(socket, x));
+  EXPECT_TRUE(told(room, {30.0, 30.0, 2.0}));
+}
+
+// Two faces across +z, 3 mm apart, whose middles are on it: no turn of a few degrees lets the gap or a shift
+// be much less than that before they may meet.
+TEST(NearBodies, FacesAboveEachOtherAreApartUntilTheyAreNear) {
+  const auto face_at = [](double z) { return SweptParts({turn_face({3, 0, z}, {-1, 2, z}, {-2, -2, z})}); };
+  const SweptParts ball = face_at(10.0);
+  for (const double z : {13.0, 7.0}) {
+    const SweptParts socket = face_at(z);
+    for (const double turn : {0.0, 0.05}) {
+      const double nearer = std::abs(z - 10.0) - (std::hypot(10.0, 3.0) * turn);  // at least as far as that
+      for (const auto& [shift, gap] :
+           {std::pair{0.99 * nearer, 0.0}, {0.0, 0.99 * nearer}, {0.5 * nearer, 0.49 * nearer}}) {
+        const NearPoses poses{.turn = turn, .shift_mm = shift};
+        EXPECT_FALSE(NearBodies(poses, gap).may_meet(ball, socket, {})) << z;
+        EXPECT_FALSE(NearBodies(poses, gap).may_meet(socket, ball, {})) << z;
+      }
+      const NearPoses poses{.turn = turn, .shift_mm = 3.01};
+      EXPECT_TRUE(NearBodies(poses, 0.0).may_meet(ball, socket, {})) << z;
+      EXPECT_TRUE(NearBodies({.turn = turn}, 3.01).may_meet(ball, socket, {})) << z;
+    }
+  }
 }
 
 }  // namespace

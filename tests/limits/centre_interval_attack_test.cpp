@@ -2,18 +2,22 @@
 // The interval of a limit holds for random centres within the distance, on its sphere and inside: about each
 // of them surfaces meet in no pose up to the lower end, and have met up to the upper end.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <set>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "limits/centre_walls.hpp"
 #include "limits/turn_limit.hpp"
 #include "limits/turn_oracle.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/icosphere.hpp"
 #include "mesh/jump_edges.hpp"
+#include "mesh/triangle_distance.hpp"
 #include "support/dice.hpp"
 #include "support/joined.hpp"
 #include "support/random_cases.hpp"
@@ -255,9 +259,126 @@ TEST_P(TheoremCentre, OfASocketThatIsEdgeOn) {
   const JointTurn turn{.axis = Vec3::UnitZ()};
   const TurnLimit limit = limits.first_contact(turn, kLargest);
   EXPECT_NEAR(limit.high_deg, 90.0, 1e-6);
-  const CentreInterval interval = limits.centre_interval(turn, limit, kLargest, {GetParam(), 0.5, 0.0});
-  EXPECT_GT(interval.low_deg, 80.0);
-  EXPECT_GE(interval.high_deg, limit.high_deg);
+  for (const double gap : {0.0, 0.5}) {  // no ray meets the socket
+    const CentreInterval interval = limits.centre_interval(turn, limit, kLargest, {GetParam(), 0.5, gap});
+    EXPECT_GT(interval.low_deg, 80.0);
+    EXPECT_GE(interval.high_deg, limit.high_deg);
+  }
+}
+
+// A tip at 5 mm turns under, or over, a small sheet that it does not touch, 2 mm farther in, or out: it has
+// the gap, and about centres on +z it passes beside the sheet. With these within r no upper end is proven.
+TEST(TheoremCentre, OfAThresholdInASmallShadow) {
+  struct Shadow {
+    double sheet;   // mm from the centre
+    double within;  // r
+    bool near;      // is there another face, 1 mm from the centre?
+  };
+  for (const auto& [sheet, within, near] : {Shadow{3.0, 1.5, false}, {7.0, 1.1, false}, {3.0, 0.8, true}}) {
+    const bool of_ball = sheet < 5.0;  // the tip
+    const auto place = [&](double far, double degrees, double z) {
+      const double at = (of_ball ? -degrees : degrees) * kDegree;
+      return Vec3(far * std::cos(at), far * std::sin(at), z);
+    };
+    TriangleMesh tip;
+    test::add_face(tip, place(5, 0, 0), place(5, 0.1, 0.01), place(5, 0.1, -0.01));
+    TriangleMesh patch;
+    test::add_face(patch, place(sheet, -20, 0.1), place(sheet, -20, -0.1), place(sheet, -24, 0));
+    if (near) test::add_face(patch, {-1, -0.1, -0.1}, {-1, 0.1, -0.1}, {-1, 0, 0.1});
+    const BallSocketPair joint = of_ball ? BallSocketPair{tip, patch} : BallSocketPair{patch, tip};
+    const JointTurn turn{.axis = Vec3::UnitZ()};
+    const TurnLimits limits(joint);
+    const TurnLimit limit = limits.gap_of(turn, 0.7, 90.0);
+    ASSERT_EQ(limit.state, LimitState::limited) << sheet;
+    EXPECT_NEAR(limit.high_deg, 20.0, 0.1);
+    const auto about = [&](double z) {
+      return TurnLimits({relative_to(joint.ball, {0, 0, z}), relative_to(joint.socket, {0, 0, z})})
+          .gap_of(turn, 0.7, 90.0)
+          .state;
+    };
+    EXPECT_EQ(about(0.99 * within), LimitState::free) << sheet;
+    for (const CentreDoubt doubt : {CentreDoubt::common, CentreDoubt::play})
+      EXPECT_FALSE(limits.centre_interval(turn, limit, 90.0, {doubt, within, 0.7}).limited) << sheet;
+    const auto low = [&](double r) {
+      return limits.centre_interval(turn, limit, 90.0, {CentreDoubt::common, r, 0.7}).low_deg;
+    };
+    EXPECT_GT(low(0.02), 0.0) << sheet;
+    if (near) {
+      EXPECT_EQ(low(1.2), 0.0) << "a centre within r may be beyond a face";
+    }
+  }
+}
+
+// A start that is blocked: by bones for every common centre, as no turn has moved them; with play, where
+// they are deep enough; a gap, or radii that overlap, only where rays from each centre find it.
+TEST(TheoremCentre, OfABlockedStart) {
+  const JointTurn turn{.axis = Vec3::UnitZ()};
+  const auto interval = [](const BallSocketPair& joint, const CentreQuestion& question, double turned = 0.0) {
+    const JointTurn begun{.axis = Vec3::UnitZ(),
+                          .inner = Eigen::AngleAxisd(turned, Vec3::UnitX()).toRotationMatrix()};
+    const TurnLimits limits(joint);
+    const TurnLimit limit = question.gap_mm > 0.0 ? limits.gap_of(begun, question.gap_mm, 90.0)
+                                                  : limits.first_contact(begun, 90.0);
+    EXPECT_EQ(limit.state, LimitState::blocked);
+    const CentreInterval said = limits.centre_interval(begun, limit, 90.0, question);
+    EXPECT_EQ(said.low_deg, 0.0);
+    EXPECT_EQ(said.high_deg, said.limited ? 0.0 : 90.0);
+    return said.limited;
+  };
+  const BallSocketPair deep{octahedron(30.0), octahedron(20.0)};
+  for (const double gap : {0.0, 0.5}) {
+    EXPECT_TRUE(interval(deep, {CentreDoubt::common, 2.0, gap}));
+    EXPECT_FALSE(interval(deep, {CentreDoubt::play, 30.0, gap}));
+  }
+  EXPECT_TRUE(interval(deep, {CentreDoubt::common, 0.5, 0.5}, 0.3)) << "the deepest vertex shows it";
+  EXPECT_TRUE(interval(deep, {CentreDoubt::play, 0.5, 0.5}));
+  // A tip 2 mm behind a sheet, and in front of it: about other centres it is beside it.
+  TriangleMesh tip;
+  test::add_face(tip, {5, 0, 0}, {5, 0.01, 0.01}, {5, 0.01, -0.01});
+  for (const double sheet : {3.0, 6.0}) {
+    TriangleMesh patch;
+    test::add_face(patch, {sheet, -0.1, 0.1}, {sheet, -0.1, -0.1}, {sheet, 0.2, 0});
+    const double gap = sheet < 5.0 ? 0.0 : 1.5;
+    const TriangleMesh low = relative_to(tip, {0, 0, 1.5});
+    const TriangleMesh beside = relative_to(patch, {0, 0, 1.5});
+    const TurnLimits about({low, beside});
+    EXPECT_EQ((gap > 0.0 ? about.gap_of(turn, gap, 90.0) : about.first_contact(turn, 90.0)).state,
+              LimitState::free);
+    for (const CentreDoubt doubt : {CentreDoubt::common, CentreDoubt::play})
+      EXPECT_FALSE(interval({tip, patch}, {doubt, 1.5, gap})) << sheet;
+    EXPECT_EQ(interval({tip, patch}, {CentreDoubt::common, 1e-3, gap}), gap > 0.0);
+  }
+}
+
+// Parts that come together behind the angle at which other centres shift the ball the most.
+TEST(TheoremCentre, OfPartsBehindTheLargestShift) {
+  const auto sphere_at = [](double turned) {
+    return test::moved(icosphere(7.0, 2),
+                       40.0 * Vec3(std::cos(turned * kDegree), std::sin(turned * kDegree), 0.0));
+  };
+  const BallSocketPair main{icosphere(5.0, 2), cup(8.0, 60.0, 100)};
+  const JointTurn turn{.axis = Vec3::UnitZ(),
+                       .inner = Eigen::AngleAxisd(-0.5 * kPi, Vec3::UnitZ()).toRotationMatrix()};
+  const TurnLimits limits(main, {{sphere_at(190.0)}, {sphere_at(75.0)}});  // the turn begins at 100
+  const TurnLimit limit = limits.first_contact(turn, 350.0);
+  ASSERT_EQ(limit.state, LimitState::limited);
+  EXPECT_NEAR(limit.low_deg, 360.0 - 25.0 - 2.0 * std::asin(7.0 / 40.0) / kDegree, 0.5);
+  const CentreInterval interval = limits.centre_interval(turn, limit, 350.0, {CentreDoubt::common, 0.5, 0.0});
+  EXPECT_TRUE(interval.limited);
+  double least = 360.0;
+  double most = 0.0;
+  for (int k = 0; k < 6; ++k) {
+    const Vec3 t = 0.499 * Vec3(std::cos(k * kPi / 3.0), std::sin(k * kPi / 3.0), 0.0);
+    const TurnLimit found =
+        TurnLimits({relative_to(main.ball, t), relative_to(main.socket, t)},
+                   {{relative_to(sphere_at(190.0), t)}, {relative_to(sphere_at(75.0), t)}})
+            .first_contact(turn, 350.0);
+    least = std::min(least, found.low_deg);
+    most = std::max(most, found.high_deg);
+  }
+  EXPECT_LT(interval.low_deg, least);
+  EXPECT_GT(interval.low_deg, least - 1.0);
+  EXPECT_GT(interval.high_deg, most);
 }
 
 // The jump edges about every centre within the distance are listed, and no others but those next to a plane
@@ -333,6 +454,41 @@ TEST(CentreWalls, AreOfTheEdgesThatMayJump) {
   }
   EXPECT_GT(listed, edges / 5);
   EXPECT_LT(listed, edges * 4 / 5);
+}
+
+// The walls of an edge are wherever a point can meet them: no k y farther from it than the shift, the
+// threshold and what other centres add has its triangles farther from it than these and their doubt.
+TEST(CentreWalls, AreWhereAPointMayMeetThem) {
+  Dice random(23);
+  std::array<std::size_t, 3> of_kind{};  // of an edge that passes the centre, near the centre, and other ones
+  for (std::size_t k = 0; k < random_cases() / 2 && !HasFailure(); ++k) {
+    const auto corner = [&] { return Vec3(random.power(-1.0, 1.3) * random.direction()); };
+    const TriangleMesh mesh{{corner(), corner()}, {}};
+    WallQuestion asked{k % 2 == 0, k % 3 != 0, random.power(-2.0, 0.5), random.power(-1.0, 0.5)};
+    asked.nearest = random.power(-2.0, 1.0);
+    asked.farthest = asked.nearest * random.power(0.0, 1.0);
+    const std::vector<TurnFace> walls = shells(mesh, {{0, 1}}, asked);
+    const double nearest =
+        std::sqrt(squared_distance_to_segment(Vec3::Zero(), mesh.vertices[0], mesh.vertices[1]));
+    for (int j = 0; j < 30; ++j) {
+      const double along = random.between(0.0, 1.0);
+      const Vec3 y = (1.0 - along) * mesh.vertices[0] + along * mesh.vertices[1];
+      const double shift = random.between(0.0, asked.common ? 2.0 : 1.0) * asked.r;
+      const double l = asked.beyond ? random.power(0.0, 2.0) : random.between(0.0, 1.0);
+      const double more = asked.common || asked.beyond ? std::abs(l - 1.0) * asked.r : 0.0;
+      const double within = (asked.beyond || !asked.common ? shift : l * shift) + asked.gap + more;
+      const Vec3 p = l * y + random.between(0.0, 1.0) * within * random.direction();
+      if (p.norm() < asked.nearest || p.norm() > asked.farthest) continue;
+      double least = HUGE_VAL;
+      for (const TurnFace& face : walls) {
+        const auto& [a, b, c] = face.corner;
+        least = std::min(least, std::sqrt(squared_distance_to_triangle(p, a, b, c)) - face.doubt);
+      }
+      ASSERT_LE(least, shift + asked.gap + 1e-9) << k << ": " << l;
+      ++of_kind[nearest <= asked.r ? 0 : l < 0.05 ? 1 : 2];
+    }
+  }
+  for (const std::size_t found : of_kind) EXPECT_GT(found, 20U);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "mesh/edges.hpp"
 #include "mesh/generated_pair.hpp"
 #include "support/joined.hpp"
+#include "support/turned.hpp"
 
 namespace impinge {
 namespace {
@@ -169,6 +170,66 @@ TEST(TurnLimit, IsUnknownWhereAGrazeLasts) {
   EXPECT_EQ(limit.low_deg, 0.0);
   EXPECT_EQ(limit.high_deg, 120.0);
   EXPECT_FALSE(limit.contact);
+}
+
+// Of surfaces that were cut out of bones: the mesh of the ball ends where the bone's own does, and nowhere if
+// that has no end.
+TEST(TurnLimit, OfCutSurfacesEndsWhereTheirBoneDoes) {
+  const TriangleMesh cap = cup(20.0, 60.0, 1000);
+  const BallSocketPair cut{cup(20.0, 50.0, 400), cup(26.0, 20.0, 400)};
+  const JointTurn turn{.axis = Vec3::UnitX()};
+  const TurnLimit open = TurnLimits::of_surfaces({cut, cut, cap}).first_contact(turn, 90.0);
+  EXPECT_EQ(open.state, LimitState::unknown);
+  EXPECT_NEAR(open.leaves_mesh_deg.value(), 40.0, 0.5);
+  EXPECT_EQ(open.low_deg, *open.leaves_mesh_deg);
+  for (const TriangleMesh& uncut : {TriangleMesh{}, octahedron(20.0)}) {
+    const TurnLimit closed = TurnLimits::of_surfaces({cut, cut, uncut}).first_contact(turn, 90.0);
+    EXPECT_EQ(closed.state, LimitState::free);
+    EXPECT_FALSE(closed.leaves_mesh_deg);
+  }
+}
+
+// A face of the ball that the centre sees edge-on has no gap, whoever decides about contact.
+TEST(TurnLimit, AGapIsNoneOfAFaceThatIsEdgeOn) {
+  const TriangleMesh ball = octahedron(20.0);
+  TriangleMesh finned = ball;
+  test::add_face(finned, {0, 0, 20}, {0, 0, 24}, {0, 12, 12});
+  const TriangleMesh socket = cup(28.0, 60.0, 100);
+  const double expected = TurnLimits({ball, socket}).smallest_gap(kAbduct, 5.0).value().gap_mm;
+  EXPECT_EQ(TurnLimits({finned, socket}).smallest_gap(kAbduct, 5.0).value().gap_mm, expected);
+  EXPECT_LT(TurnLimits({octahedron(24.0), socket}).smallest_gap(kAbduct, 5.0).value().gap_mm, expected - 3.0);
+}
+
+// A start in the hollow of a sheet whose bone may be on either side.
+TEST(TurnLimit, IsUnknownWhereTheStartIs) {
+  const Vec3 far(60.0, 7.0, -3.0);
+  const TriangleMesh sheet = test::inside_out(test::moved(cup(10.0, 60.0, 400), far));
+  const TriangleMesh inside = test::moved(octahedron(1e-3), far + Vec3(0.3, 0.2, 9.0));
+  const TurnLimits limits({octahedron(5.0), cup(8.0, 60.0, 100)}, {{inside}, {sheet}});
+  ASSERT_EQ(limits.verdict(kAbduct, 0.0).contact, Contact::unknown);
+  const TurnLimit limit = limits.first_contact(kAbduct, 30.0);
+  EXPECT_EQ(limit.state, LimitState::unknown);
+  EXPECT_EQ(limit.low_deg, 0.0);
+  EXPECT_EQ(limit.high_deg, 30.0);
+}
+
+// A tip turns below triangles, 5e-12 mm above it, that doubles cannot tell from a touch, one after the other,
+// and then into a wall: more grazes than are looked for, and the wall is found nevertheless.
+TEST(TurnLimit, BehindManyGrazesIsFound) {
+  TriangleMesh ball;
+  test::add_face(ball, {20, 0, 0}, {15, -1, -5}, {15, 1, -5});
+  const auto at = [](double angle, double radius, double z) {
+    return Vec3(radius * std::cos(angle), radius * std::sin(angle), z);
+  };
+  TriangleMesh socket;
+  for (const double angle : {0.5, 0.8, 1.1, 1.4, 1.7})
+    test::add_face(socket, at(angle, 18.0, 5e-12), at(angle, 23.0, 5e-12), at(angle + 0.15, 20.0, 5e-12));
+  test::add_face(socket, at(2.5, 19.0, 1.0), at(2.5, 22.0, 1.0), at(2.5, 20.0, -3.0));
+  const TurnLimit limit = TurnLimits::of_surfaces({{ball, socket}, {ball, socket}, {}})
+                              .first_contact({.axis = Vec3::UnitZ()}, 170.0);
+  ASSERT_EQ(limit.state, LimitState::limited);
+  EXPECT_NEAR(limit.low_deg * kDegree, 0.5, 1e-6);
+  EXPECT_NEAR(limit.high_deg * kDegree, 2.5, 0.06);
 }
 
 // Limits of the generated hips: a normal hip reaches what a clinician finds, a cam impinges anterosuperiorly.
