@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The small parts that cells are decided with, beside points: half-spaces and polytopes of a cell, spans of
+// radii, and how a surface is seen from the centre where a direction lies on a side or a face is too wide.
+#include "rotations/cell_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "mesh/bodies.hpp"
+#include "rotations/cap_floor.hpp"
+#include "rotations/ray_spans.hpp"
+#include "rotations/seen_surface.hpp"
+#include "support/dice.hpp"
+#include "support/joined.hpp"
+#include "support/random_cases.hpp"
+#include "support/turned.hpp"
+
+namespace impinge {
+namespace {
+
+CellPlane plane_across(const Vec3& slope, double offset) {
+  return {{static_cast<float>(slope[0]), static_cast<float>(slope[1]), static_cast<float>(slope[2])},
+          static_cast<float>(offset)};
+}
+
+// Beside the eight corners of the eighth.
+TEST(CellParts, HoldAnEighthIfTheyHoldItsCorners) {
+  test::Dice dice(71);
+  std::size_t frees = 0;
+  std::size_t blocks = 0;
+  for (std::size_t round = 0; round < random_cases(); ++round) {
+    CellPart part;
+    for (int n = dice.whole(0, 2); n > 0; --n)
+      part.free.push_back(plane_across(dice.direction(), dice.between(-0.5, 1.5)));
+    for (int n = dice.whole(0, 2); n > 0; --n)
+      part.blocked.push_back(plane_across(dice.direction(), dice.between(-0.5, 1.5)));
+    for (std::uint64_t k = 0; k < 8; ++k) {
+      const auto least = [&](const CellPlane& plane) {
+        double found = HUGE_VAL;
+        for (std::uint64_t corner = 0; corner < 8; ++corner) {
+          Vec3 t;
+          for (std::size_t side = 0; side < 3; ++side)
+            t[static_cast<Eigen::Index>(side)] =
+                ((k >> side) & 1U ? 0.0 : -1.0) + ((corner >> side) & 1U ? 1.0 : 0.0);
+          found = std::min(found, plane.at(t));
+        }
+        return found;
+      };
+      const auto rounded = [&](const CellPlane& plane) { return std::abs(least(plane)) < 1e-5; };
+      const auto holds = [&](const CellPlane& plane) { return least(plane) > 0.0; };
+      if (std::ranges::any_of(part.free, rounded) || std::ranges::any_of(part.blocked, rounded)) continue;
+      EXPECT_EQ(part.frees(k), !part.free.empty() && std::ranges::all_of(part.free, holds)) << round;
+      EXPECT_EQ(part.blocks(k), std::ranges::any_of(part.blocked, holds)) << round;
+      frees += part.frees(k) ? 1U : 0U;
+      blocks += part.blocks(k) ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(frees, random_cases() / 10);
+  EXPECT_GT(blocks, random_cases() / 10);
+}
+
+// Planes that touch a sphere: each adds a face, until there are too many. The share is that of points.
+TEST(CellParts, APolytopeOfTooManyFacesIsNothing) {
+  test::Dice dice(72);
+  for (int round = 0; round < 20; ++round) {
+    const RotationCell cell = cell_of(dice.quaternion(), 9);
+    const CellFrame frame(cell);
+    std::vector<CellPlane> planes;
+    CellPolytope left;
+    double last = 1.0;
+    const auto clip = [&] {
+      planes.push_back(plane_across(dice.direction(), 0.8));
+      return left.clip(planes.back(), static_cast<std::uint32_t>(5 + planes.size()));
+    };
+    while (clip()) {
+      ASSERT_TRUE(left.bounds(static_cast<std::uint32_t>(5 + planes.size())));
+      last = left.share(frame) / share(cell);
+      ASSERT_LT(planes.size(), 100U);
+    }
+    EXPECT_GE(planes.size(), 25U);  // the cell has six sides, a polytope has room for 30
+    EXPECT_TRUE(left.empty());
+    EXPECT_EQ(left.share(frame), 0.0);
+    planes.pop_back();
+    constexpr int kPoints = 2000;
+    int within = 0;
+    for (int k = 0; k < kPoints; ++k) {
+      const Vec3 t(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));
+      if (std::ranges::all_of(planes, [&](const CellPlane& plane) { return plane.at(t) >= 0.0; })) ++within;
+    }
+    EXPECT_NEAR(last, within / double{kPoints}, 0.06);
+  }
+}
+
+// Whole radii, beside every half of them.
+TEST(RaySpans, AreSetsOfRadii) {
+  constexpr int kMost = 20;
+  test::Dice dice(73);
+  for (std::size_t round = 0; round < random_cases(); ++round) {
+    RaySpans set;
+    std::array<bool, 2 * kMost + 1> in{};
+    for (int n = dice.whole(0, 5); n > 0; --n) {
+      const int from = dice.whole(0, kMost);
+      const int to = dice.whole(0, kMost);
+      set.add(from, to);
+      for (int k = 2 * from; k <= 2 * to; ++k) in[static_cast<std::size_t>(k)] = true;
+    }
+    const int from = dice.whole(0, kMost);
+    const int to = dice.whole(from, kMost);
+    const auto begin = in.begin() + 2 * from;
+    const auto end = in.begin() + 2 * to + 1;
+    EXPECT_EQ(set.holds(from, to), std::all_of(begin, end, [](bool is) { return is; }));
+    EXPECT_EQ(set.meets(from, to), std::any_of(begin, end, [](bool is) { return is; }));
+    double length = 0.0;
+    double volume = 0.0;
+    for (int k = 0; k < to; ++k) {
+      if (!in[static_cast<std::size_t>(2 * k + 1)]) continue;
+      length += k >= from ? 1.0 : 0.0;
+      volume += (std::pow(k + 1, 3) - std::pow(k, 3)) / 3.0;
+    }
+    EXPECT_NEAR(set.length(from, to), length, 1e-9);
+    EXPECT_NEAR(set.volume(to), volume, 1e-9);
+    for (std::size_t k = 1; k < set.spans().size(); ++k)
+      EXPECT_LT(set.spans()[k - 1].high, set.spans()[k].low);
+  }
+}
+
+// A direction on a side belongs to neither face.
+TEST(CapFloor, FindsTheFaceThatHoldsADirection) {
+  const TriangleMesh mesh = test::askew(sphere(20.0, 500));
+  const SeenSurface surface(mesh, Layer::farthest);
+  const CapFloor floor(surface);
+  test::Dice dice(74);
+  for (std::uint32_t f = 0; f < surface.faces().size(); ++f) {
+    const auto& [a, b, c] = surface.faces()[f].corner;
+    EXPECT_EQ(floor.face_along((a + b).normalized()), DirectionFace::kNone) << f;
+    EXPECT_EQ(floor.face_along(c), DirectionFace::kNone) << f;
+    const Vec3 shares(dice.between(0.1, 1.0), dice.between(0.1, 1.0), dice.between(0.1, 1.0));
+    EXPECT_EQ(floor.face_along((shares[0] * a + shares[1] * b + shares[2] * c).normalized()), f);
+  }
+}
+
+// The base is seen under nearly a quarter turn from its middle: its plane is not used, its corners bound it.
+TEST(CapFloor, OfAFaceWithoutAPlaneIsItsRange) {
+  const double corner = std::hypot(20.0, 1.0);
+  const TriangleMesh mesh = cone({.base_radius = 20.0, .apex_height = 30.0, .base_depth = 1.0, .sides = 3});
+  TriangleMesh base;
+  test::add_face(base, mesh.vertices[2], mesh.vertices[4], mesh.vertices[3]);
+  for (const Layer layer : {Layer::farthest, Layer::nearest}) {
+    const SeenSurface surface(base, layer);
+    ASSERT_EQ(surface.faces().size(), 1U);
+    ASSERT_TRUE(surface.faces()[0].plane.isZero(0.0));
+    const double sign = layer == Layer::farthest ? 1.0 : -1.0;
+    const CapFloor floor(surface);
+    EXPECT_NEAR(floor.within(-Vec3::UnitZ(), 0.0), sign * corner, 1e-4);
+    EXPECT_EQ(floor.within(Vec3::UnitZ(), 0.0), -HUGE_VALF);
+  }
+}
+
+// Its length is rounded to 0, though its face is not edge-on.
+TEST(SeenSurface, HasNoVertexThatIsTooNearTheCentreForADirection) {
+  TriangleMesh mesh = cup(26.0, 70.0, 100);
+  const std::size_t seen = SeenSurface(mesh, Layer::nearest).vertices().size();
+  test::add_face(mesh, {0.0, 0.0, 1e-200}, {20.0, 0.0, 0.0}, {0.0, 20.0, 0.0});
+  const SeenSurface surface(mesh, Layer::nearest);
+  EXPECT_EQ(surface.faces().size(), mesh.faces.size());
+  EXPECT_EQ(surface.vertices().size(), seen + 2);
+  EXPECT_TRUE(std::ranges::all_of(surface.vertices(), [](const Vec3& x) { return x.norm() > 1.0; }));
+}
+
+// Marks of old searches that have the number of the next one would make it end at once, as if all were well.
+TEST(SeenSurface, CoversWhenTheNumberOfSearchesOverflows) {
+  const TriangleMesh mesh = cup(26.0, 70.0, 500);
+  const SeenSurface surface(mesh, Layer::nearest);
+  for (const double polar : {20.0, 60.0}) {
+    const double angle = polar * kDegree;
+    const DirectionCap cap{{std::sin(angle) * 0.8, std::sin(angle) * 0.6, std::cos(angle)}, 20.0 * kDegree};
+    const std::uint32_t from = surface.face_along(cap.axis);
+    ASSERT_NE(from, DirectionFace::kNone);
+    PatchMemory memory{{}, std::vector<std::uint32_t>(mesh.faces.size(), 1U), 0xffffffffU};
+    for (int again = 0; again < 3; ++again)
+      EXPECT_EQ(surface.covers(cap, from, memory, [](const DirectionFace&) { return true; }), polar < 50.0);
+    EXPECT_EQ(memory.search, 3U);
+  }
+}
+
+}  // namespace
+}  // namespace impinge
