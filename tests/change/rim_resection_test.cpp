@@ -10,7 +10,10 @@
 #include "hip/hip_presets.hpp"
 #include "limits/bump_under_a_cup.hpp"
 #include "limits/turn_limit.hpp"
+#include "rotations/bone_over_cap.hpp"
+#include "support/dice.hpp"
 #include "support/joined.hpp"
+#include "support/random_cases.hpp"
 #include "support/thrown.hpp"
 
 namespace impinge {
@@ -153,6 +156,29 @@ TEST(RimResection, TakesWallsThatTheCentreSeesEdgeOn) {
   double least = HUGE_VAL;
   for (const Vec3& x : cut.cut.vertices) least = std::min(least, x.norm() - farthest_of_bump(x.normalized()));
   EXPECT_GT(least, 0.4);  // the clearance but for what flat faces of the bump are below the formula
+}
+
+// The ray that is counted passes no edge-on wall, and no edge: else others are tried. A cap of one direction
+// along an edge has no other ray; there nothing is certain.
+TEST(TheoremSweep, HoldsABlockWithEdgeOnWalls) {
+  const BoneOverCap bone(block_with_edge_on_walls());
+  test::Dice dice(9);
+  const auto& [a, b, c, d] = kBlockInside;
+  for (std::size_t k = 0; k < random_cases(); ++k) {
+    const double x = k % 3 == 0 ? 0.0 : dice.between(0.0, 1.0);  // along an edge
+    const double y = k % 5 == 0 ? x : dice.between(0.0, 1.0);    // along the diagonal
+    const Vec3 at = a + x * (b - a) + y * (d - a);
+    const DirectionCap cap{at.normalized(), k % 2 == 0 ? 0.0 : dice.power(-6.0, -2.0)};
+    const SpansOverCap found = bone.over(cap);
+    EXPECT_TRUE(found.possible.holds(at.norm(), kBlockBack * at.norm())) << k;
+    for (const RadiusRange& s : found.certain.spans()) {
+      EXPECT_GE(s.low, at.norm() * (1.0 - 1e-6)) << k;
+      EXPECT_LE(s.high, at.norm() * kBlockBack * (1.0 + 1e-6)) << k;
+    }
+    if (cap.radius == 0.0 && (x == 0.0 || x == y)) {
+      EXPECT_TRUE(found.certain.spans().empty()) << k;
+    }
+  }
 }
 
 // A wall inside out holds the same bone.

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cells of joints as no scan is: faces that are too wide for a plane or edge-on, gaps and doubts about the
+// centre as large as the ball, hints that say nothing, and surfaces that nearly touch all round.
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "mesh/bodies.hpp"
+#include "mesh/icosphere.hpp"
+#include "mesh/surface_vertices.hpp"
+#include "rotations/cell_test.hpp"
+#include "support/dice.hpp"
+#include "support/exact_touch.hpp"
+#include "support/joined.hpp"
+#include "support/random_cases.hpp"
+#include "support/thrown.hpp"
+#include "support/turned.hpp"
+
+namespace impinge {
+namespace {
+
+// A ball of 20 mm whose vertex on +z is 29 mm from the centre, under a sheet.
+constexpr double kSpike = 29.0;
+TriangleMesh ball_with_a_spike() {
+  TriangleMesh ball = icosphere(20.0, 1);
+  *std::ranges::max_element(ball.vertices, {}, [](const Vec3& x) { return x.z(); }) = kSpike * Vec3::UnitZ();
+  return ball;
+}
+
+RotationCell cell_near(const Quaternion4& q, test::Dice& dice, int coarsest, int finest) {
+  return cell_of(q, static_cast<std::uint32_t>(dice.whole(coarsest, finest)));
+}
+
+Quaternion4 quaternion_of(const Eigen::AngleAxisd& turn) {
+  const Eigen::Quaterniond q(turn);
+  return {q.w(), q.x(), q.y(), q.z()};
+}
+
+Vec3 place_in_cell(test::Dice& dice) {
+  return {dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0)};
+}
+
+// What the parts say at random places, beside the exact overlay.
+struct Said {
+  std::size_t free = 0;
+  std::size_t blocked = 0;
+};
+void expect_right(const CellPart& part, const RotationCell& cell, test::ExactTouch& overlay, test::Dice& dice,
+                  Said& said) {
+  for (std::size_t n = 0; n < 12; ++n) {
+    Vec3 t = place_in_cell(dice);
+    const std::vector<CellPlane>& planes = n % 2 == 0 ? part.free : part.blocked;
+    if (n % 3 == 0 && !planes.empty()) {  // a hair within a plane, where a wrong one would be found first
+      const CellPlane& plane = planes[n % planes.size()];
+      const Vec3 slope(plane.slope[0], plane.slope[1], plane.slope[2]);
+      t -= (plane.at(t) - 1e-7) * slope / slope.squaredNorm();
+      t = t.cwiseMax(-1.0).cwiseMin(1.0);
+    }
+    const bool blocked = part.state == CellState::blocked || part.is_blocked(t);
+    if (!blocked && part.state != CellState::free && !part.is_free(t)) continue;
+    ++(blocked ? said.blocked : said.free);
+    EXPECT_EQ(overlay.impinged({rotation_of(point_of(cell, {t[0], t[1], t[2]})), Vec3::Zero()}), blocked)
+        << cell.level << " " << cell.number << " " << t.transpose();
+  }
+}
+
+// The spike comes to the rim of the cup about 70 degrees from its pole. Hints are guesses, right or wrong.
+TEST(CellTest, PartsAreRightWhateverTheHint) {
+  const BallSocketPair joint{ball_with_a_spike(), cup(26.0, 70.0, 60)};
+  const CellTest test(joint);
+  ASSERT_FALSE(test.bodies().has_inside());
+  test::ExactTouch overlay(joint);
+  CellSearch search(test);
+  test::Dice dice(81);
+  Said said;
+  const auto some = [&](std::size_t count) {
+    return dice.whole(0, 2) == 0 ? CellHint::kNone
+                                 : static_cast<std::uint32_t>(dice.whole(0, static_cast<int>(count) - 1));
+  };
+  for (std::size_t k = 0; k < random_cases(); ++k) {
+    const double way = dice.between(0.0, 2.0 * kPi);
+    const Eigen::AngleAxisd tilt((70.0 + dice.between(-6.0, 6.0)) * kDegree,
+                                 Vec3(std::cos(way), std::sin(way), 0.0));
+    const RotationCell cell = cell_near(quaternion_of(tilt), dice, 6, 9);
+    const CellHint hint{some(joint.ball.faces.size()), some(joint.socket.faces.size()), CellHint::kNone,
+                        true};
+    expect_right(search.part_of(cell, hint), cell, overlay, dice, said);
+  }
+  EXPECT_GT(said.free, random_cases() / 50);
+  EXPECT_GT(said.blocked, random_cases() / 10);
+}
+
+// The spike points away from the cup.
+TEST(CellTest, TakesNoCellApartThatIsTooCoarseOrTooFine) {
+  const CellTest test({ball_with_a_spike(), cup(26.0, 70.0, 60)});
+  CellSearch search(test);
+  const Quaternion4 q = quaternion_of(Eigen::AngleAxisd(2.5, Vec3::UnitX()));
+  for (std::uint32_t level = 0; level <= kFinestCells; ++level)
+    EXPECT_EQ(search.part_of(cell_of(q, level), {}).state,
+              level < 6 || level > 10 ? CellState::open : CellState::free)
+        << level;
+}
+
+// A socket of one face that the centre sees nearly as a half-space: no plane is known, and ranges of radii do
+// not tell whether the spike is beyond it.
+TEST(CellTest, AFaceThatIsTooWideSaysNothing) {
+  for (const double size : {200.0, 2000.0}) {
+    TriangleMesh socket;
+    test::add_face(socket, {-size, -0.5 * size, 26.0}, {0.0, size, 26.0}, {size, -0.5 * size, 26.0});
+    const CellTest test({ball_with_a_spike(), socket});
+    ASSERT_TRUE(test.surface(Surface::socket).faces()[0].plane.isZero(0.0));
+    CellSearch search(test);
+    test::Dice dice(82);
+    for (std::size_t k = 0; k < random_cases() / 10; ++k) {
+      const Vec3 axis(1.0, dice.between(-1.0, 1.0), 0.0);
+      const Eigen::AngleAxisd tilt(dice.between(0.0, 0.5), axis.normalized());
+      const RotationCell cell = cell_near(quaternion_of(tilt), dice, 6, 10);
+      const CellVerdict verdict = search.decide(cell);
+      EXPECT_EQ(verdict.state, CellState::open);
+      EXPECT_TRUE(search.part_of(cell, verdict.hint).empty());
+      EXPECT_TRUE(search.part_of(cell, {}).empty());
+    }
+  }
+}
+
+// In the middle of a cell four spikes of each surface are a little before sloping faces of the other one, and
+// turns about every axis drive some of them in.
+TEST(CellTest, KeepsSixBlockedPartsOfACell) {
+  test::Dice dice(83);
+  Said said;
+  std::size_t most = 0;
+  for (std::size_t round = 0; round < 2; ++round) {
+    const RotationCell cell = cell_of(dice.quaternion(), 6);
+    const Eigen::Matrix3d back = rotation_of(centre(cell)).transpose();
+    BallSocketPair joint;
+    std::vector<Vec3> axes;
+    for (std::size_t k = 0; k < 8; ++k) {
+      const Vec3 d = Vec3(k & 1U ? 1.0 : -1.0, k & 2U ? 1.0 : -1.0, k & 4U ? 1.0 : -1.0).normalized();
+      Vec3 x;
+      do {
+        x = d.cross(dice.vector()).normalized();
+      } while (std::ranges::any_of(axes, [&](const Vec3& axis) { return angle_between(axis, x) < 0.6; }));
+      axes.push_back(x);
+      const bool of_ball = k % 2 == 0;
+      // The spike is at 22 mm; the face meets its ray 0.15 mm farther, or nearer, and slopes as d turns it
+      // in.
+      const double at = of_ball ? 22.15 : 21.85;
+      const Vec3 n = x + d.cross(x);
+      const Vec3 along = d;
+      const Vec3 up = n.cross(along).normalized();
+      const auto corner = [&](double a, double b) { return Vec3(at * x + a * along + b * up); };
+      TriangleMesh face;
+      test::add_face(face, corner(-5.0, -4.0), corner(5.0, -4.0), corner(0.0, 7.0));
+      TriangleMesh spike;
+      const double beside = of_ball ? 12.0 : 40.0;
+      test::add_face(spike, 22.0 * x, beside * (x + 0.02 * along), beside * (x + 0.02 * up));
+      joint.ball = test::joined(joint.ball, test::turned(of_ball ? spike : face, back));
+      joint.socket = test::joined(joint.socket, of_ball ? face : spike);
+    }
+    const CellTest test(joint);
+    test::ExactTouch overlay(joint);
+    CellSearch search(test);
+    const CellPart part = search.part_of(cell, {});
+    EXPECT_LE(part.blocked.size(), 6U);
+    most = std::max(most, part.blocked.size());
+    for (int n = 0; n < 10; ++n) expect_right(part, cell, overlay, dice, said);
+  }
+  EXPECT_EQ(most, 6U);
+  EXPECT_GT(said.blocked, 20U);
+}
+
+// A closed box between a and b.
+TriangleMesh box(const Vec3& a, const Vec3& b) {
+  TriangleMesh mesh;
+  for (std::size_t k = 0; k < 8; ++k)
+    mesh.vertices.emplace_back(k & 1U ? b.x() : a.x(), k & 2U ? b.y() : a.y(), k & 4U ? b.z() : a.z());
+  mesh.faces = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+// A plate in a slot with 0.01 mm to spare on either side: apart in the middle of the cell, in contact after a
+// turn of a degree either way, and too little is left between for a part of the cell.
+TEST(CellTest, FindsNoFreePartInASlot) {
+  const TriangleMesh inner = cup(300.0, 60.0, 100);
+  TriangleMesh outer = inner;
+  for (Vec3& x : outer.vertices) x *= 1.1;
+  const BallSocketPair joint{icosphere(5.0, 1), test::with_back(inner, outer)};
+  const TriangleMesh plate = box({40.0, -1.0, -8.0}, {60.0, 1.0, 8.0});
+  const std::vector<TriangleMesh> slot{box({38.0, 1.01, -10.0}, {62.0, 4.0, 10.0}),
+                                       box({38.0, -4.0, -10.0}, {62.0, -1.01, 10.0})};
+  test::Dice dice(84);
+  for (int round = 0; round < 2; ++round) {
+    const RotationCell cell = cell_near(dice.quaternion(), dice, 5, 7);
+    const Eigen::Matrix3d middle = rotation_of(centre(cell));
+    const CellTest test(joint, {}, {{test::turned(plate, middle.transpose())}, slot});
+    ASSERT_TRUE(test.bodies().has_inside());
+    ASSERT_EQ(test.bodies().verdict({middle, Vec3::Zero()}).contact, Contact::no);
+    for (const double angle : {-kDegree, kDegree}) {
+      const Eigen::Matrix3d turned = Eigen::AngleAxisd(angle, Vec3::UnitZ()) * middle;
+      ASSERT_EQ(test.bodies().verdict({turned, Vec3::Zero()}).contact, Contact::yes);
+    }
+    CellSearch search(test);
+    EXPECT_EQ(search.decide(cell).state, CellState::open);
+    EXPECT_TRUE(search.part_of(cell, {}).free.empty());
+    EXPECT_EQ(search.part_of(cell, {}).state, CellState::open);
+  }
+}
+
+TEST(CellTest, AVertexOfNoFaceInTheCentreChangesNothing) {
+  const BallSocketPair joint{ball_with_a_spike(), cup(26.0, 70.0, 60)};
+  BallSocketPair with = joint;
+  with.ball.vertices.emplace_back(Vec3::Zero());
+  const CellTest test(joint, {1.0, 0.0});
+  const CellTest test_with(with, {1.0, 0.0});
+  test::Dice dice(85);
+  for (std::size_t k = 0; k < random_cases(); ++k) {
+    const RotationCell cell = cell_near(dice.quaternion(), dice, 2, 7);
+    const CellVerdict verdict = CellSearch(test).decide(cell);
+    const CellVerdict same = CellSearch(test_with).decide(cell);
+    EXPECT_EQ(verdict.state, same.state);
+    EXPECT_EQ(verdict.hint, same.hint);
+  }
+}
+
+// A wall of the socket that lies in a plane with the origin reaches into the ball. From a centre beside that
+// plane radii overlap.
+TEST(CellTest, AWallOfTheSocketThatTheOriginSeesEdgeOnCounts) {
+  const TriangleMesh ball = sphere(20.0, 200);
+  TriangleMesh socket = cup(30.0, 60.0, 100);
+  test::add_face(socket, {0.0, 0.0, 15.0}, {0.0, 0.0, 30.0}, {8.0, 0.0, 25.0});
+  ASSERT_TRUE(is_edge_on(socket, socket.faces.back()));
+  const Vec3 off(0.0, 0.1, 0.0);
+  const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity();
+  ASSERT_TRUE(
+      SurfaceOverlay(relative_to(ball, off), relative_to(socket, off)).impinged({rest, Vec3::Zero()}));
+  const CellTest test({ball, socket}, {0.0, 0.2});
+  EXPECT_EQ(CellSearch(test).decide(RotationBall{rest, 1e-3}).state, CellState::open);
+  const CellTest exact({ball, socket});
+  EXPECT_EQ(CellSearch(exact).decide(RotationBall{rest, 1e-3}).state, CellState::free);
+}
+
+// The gap moves a corner of the ball's face into a plane with the centre (as in
+// AFaceThatTheGapMakesEdgeOnCounts).
+TEST(CellTest, NoPartIsFreeWhereAFaceThatTheGapMakesEdgeOnTouches) {
+  for (const double place : {7.9, 7.901, 7.902, 7.95}) {
+    TriangleMesh ball = sphere(3.0, 8);
+    test::add_face(ball, {4, 4, 0}, {place, std::nextafter(place, 9.0), 20}, {5, 5, 3});
+    const TriangleMesh socket = sphere(15.0, 200);
+    const Quaternion4 rest = Quaternion4::Unit(0);
+    const CellTest test({ball, socket}, {1.0, 0.0});
+    CellSearch search(test);
+    for (std::uint32_t level = 6; level <= 10; ++level) {
+      const RotationCell cell = cell_of(rest, level);
+      const CellPart part = search.part_of(cell, search.decide(cell).hint);
+      EXPECT_NE(part.state, CellState::free) << place;
+      EXPECT_FALSE(part.is_free(CellFrame(cell).place(rest))) << place;
+    }
+  }
+}
+
+// 20 mm and a gap of 14 reach beyond 26 mm in every rotation. A vertex of the socket, moved in by more than
+// half of its radius, shows nothing.
+TEST(CellTest, BlocksForAGapOfMoreThanHalfARadius) {
+  const CellTest test({sphere(20.0, 500), cup(26.0, 70.0, 200)}, {14.0, 0.0});
+  const CellTest unsure({sphere(20.0, 500), cup(26.0, 70.0, 200)}, {12.6, 1.0});
+  test::Dice dice(86);
+  for (std::size_t k = 0; k < random_cases() / 10; ++k) {
+    const RotationCell cell = cell_near(dice.quaternion(), dice, 4, 7);
+    EXPECT_EQ(CellSearch(test).decide(cell).state, CellState::blocked);
+    EXPECT_NE(CellSearch(unsure).decide(cell).state, CellState::free);
+  }
+}
+
+// A centre that may be outside of the ball says nothing of any rotation.
+TEST(CellTest, DecidesNothingIfTheCentreMayBeOutsideOfTheBall) {
+  const CellTest test({sphere(5.0, 100), cup(26.0, 70.0, 200)}, {0.0, 6.0});
+  test::Dice dice(87);
+  for (int k = 0; k < 20; ++k)
+    EXPECT_EQ(CellSearch(test).decide(cell_near(dice.quaternion(), dice, 0, 9)).state, CellState::open);
+}
+
+// The spike is in the cup's wall, and out of the cup 80 degrees on. About a quarter turn its cap is too wide
+// to be asked about.
+TEST(CellTest, BlocksNoQuarterTurn) {
+  constexpr double kWithin = 1.0;
+  const BallSocketPair joint{ball_with_a_spike(),
+                             test::turned(cup(26.0, 70.0, 200), 0.05, Vec3(0.6, 0.8, 0.0))};
+  test::ExactTouch overlay(joint);
+  const auto turn = [](double angle) {
+    return Pose{Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix(), Vec3::Zero()};
+  };
+  ASSERT_TRUE(overlay.impinged(turn(0.0)));
+  ASSERT_FALSE(overlay.impinged(turn(80.0 * kDegree)));
+  const CellTest test(joint, {0.0, kWithin});
+  const auto& vertices = test.surface(Surface::ball).vertices();
+  const auto spike = static_cast<std::uint32_t>(
+      std::ranges::max_element(vertices, {}, [](const Vec3& x) { return x.z(); }) - vertices.begin());
+  const CellHint hint{CellHint::kNone, CellHint::kNone, spike, true};
+  EXPECT_EQ(CellSearch(test).decide(RotationBall{turn(0.0).rotation, 0.1}, hint).state, CellState::blocked);
+  for (double radius = 1.4; radius < 1.57; radius += 0.002)
+    EXPECT_EQ(CellSearch(test).decide(RotationBall{turn(0.0).rotation, radius}, hint).state, CellState::open);
+}
+
+TEST(CellTest, RefusesADoubtBelowZeroAndASocketWithoutFaces) {
+  const BallSocketPair joint{ball_with_a_spike(), cup(26.0, 70.0, 60)};
+  EXPECT_EQ(test::thrown<std::invalid_argument>([&] {
+              CellTest(joint, {0.0, -1.0});
+            }),
+            "motion volume: the gap and the distance of the centre must be 0 mm or more");
+  EXPECT_EQ(test::thrown<std::invalid_argument>([&] {
+              CellTest({joint.ball, TriangleMesh{}});
+            }),
+            "motion volume: a surface has no face that the centre sees; give both meshes");
+}
+
+}  // namespace
+}  // namespace impinge
