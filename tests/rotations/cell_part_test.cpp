@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
@@ -93,6 +94,20 @@ TEST(CellParts, APolytopeOfTooManyFacesIsNothing) {
   }
 }
 
+// Thirty faces, as of two pyramids that slope up and down in turn: a plane cuts all of them.
+TEST(CellParts, APlaneThatCutsThirtyFacesLeavesNothing) {
+  constexpr std::uint32_t kFaces = 30;
+  CellPolytope left;
+  for (std::uint32_t n = 0; n < kFaces; ++n) {
+    const std::uint32_t k = 7 * n % kFaces;
+    const double way = 2.0 * kPi * k / kFaces;
+    ASSERT_TRUE(left.clip(plane_across({std::cos(way), std::sin(way), k % 2 == 0 ? 0.8 : -0.8}, 0.6), 6 + n));
+  }
+  for (std::uint32_t n = 0; n < 6 + kFaces; ++n) EXPECT_EQ(left.bounds(n), n >= 6) << n;
+  EXPECT_FALSE(left.clip(plane_across({0.0, 0.0, 1.0}, 0.0), 6 + kFaces));
+  EXPECT_TRUE(left.empty());
+}
+
 // Whole radii, beside every half of them.
 TEST(RaySpans, AreSetsOfRadii) {
   constexpr int kMost = 20;
@@ -167,6 +182,41 @@ TEST(SeenSurface, HasNoVertexThatIsTooNearTheCentreForADirection) {
   EXPECT_EQ(surface.faces().size(), mesh.faces.size());
   EXPECT_EQ(surface.vertices().size(), seen + 2);
   EXPECT_TRUE(std::ranges::all_of(surface.vertices(), [](const Vec3& x) { return x.norm() > 1.0; }));
+}
+
+// An edge-on face with a corner in the centre may have any direction; no face has none.
+TEST(SeenSurface, IsNearEverythingOrNothing) {
+  TriangleMesh mesh;
+  test::add_face(mesh, Vec3::Zero(), {20.0, 0.0, 0.0}, {0.0, 20.0, 0.0});
+  test::Dice dice(75);
+  for (int k = 0; k < 100; ++k) {
+    const DirectionCap cap{dice.direction(), 0.01};
+    EXPECT_TRUE(SeenSurface(mesh, Layer::nearest, true).any_near(cap));
+    EXPECT_FALSE(SeenSurface(mesh, Layer::nearest).any_near(cap));
+  }
+}
+
+TEST(SeenSurface, CoversCapsOfAQuarterTurnAndMore) {
+  const TriangleMesh whole = test::askew(sphere(20.0, 500));
+  TriangleMesh open = whole;
+  const Vec3 hole =
+      corner(whole, whole.faces[0], 0) + corner(whole, whole.faces[0], 1) + corner(whole, whole.faces[0], 2);
+  open.faces.erase(open.faces.begin());
+  PatchMemory memory;
+  for (const double radius : {0.3 * kPi, 0.6 * kPi, 0.8 * kPi, kPi}) {
+    for (const double away : {0.1, 0.5, 0.9}) {
+      const Vec3 axis = Eigen::AngleAxisd(away * kPi, hole.unitOrthogonal()) * hole.normalized();
+      for (const TriangleMesh& mesh : {whole, open}) {
+        const SeenSurface surface(mesh, Layer::nearest);
+        const std::uint32_t from = surface.face_along(axis);
+        ASSERT_NE(from, DirectionFace::kNone);
+        EXPECT_EQ(surface.covers({axis, radius}, from, memory, [](const DirectionFace&) { return true; }),
+                  mesh.faces.size() == 500 || away * kPi > radius)
+            << radius << " " << away;
+        memory = {};
+      }
+    }
+  }
 }
 
 // Marks of old searches that have the number of the next one would make it end at once, as if all were well.

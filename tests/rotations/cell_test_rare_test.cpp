@@ -106,7 +106,7 @@ TEST(CellTest, TakesNoCellApartThatIsTooCoarseOrTooFine) {
 // A socket of one face that the centre sees nearly as a half-space: no plane is known, and ranges of radii do
 // not tell whether the spike is beyond it.
 TEST(CellTest, AFaceThatIsTooWideSaysNothing) {
-  for (const double size : {200.0, 2000.0}) {
+  for (const double size : {120.0, 200.0}) {
     TriangleMesh socket;
     test::add_face(socket, {-size, -0.5 * size, 26.0}, {0.0, size, 26.0}, {size, -0.5 * size, 26.0});
     const CellTest test({ball_with_a_spike(), socket});
@@ -245,7 +245,7 @@ TEST(CellTest, AWallOfTheSocketThatTheOriginSeesEdgeOnCounts) {
 // The gap moves a corner of the ball's face into a plane with the centre (as in
 // AFaceThatTheGapMakesEdgeOnCounts).
 TEST(CellTest, NoPartIsFreeWhereAFaceThatTheGapMakesEdgeOnTouches) {
-  for (const double place : {7.9, 7.901, 7.902, 7.95}) {
+  for (const double place : {7.9, 7.95}) {
     TriangleMesh ball = sphere(3.0, 8);
     test::add_face(ball, {4, 4, 0}, {place, std::nextafter(place, 9.0), 20}, {5, 5, 3});
     const TriangleMesh socket = sphere(15.0, 200);
@@ -254,9 +254,11 @@ TEST(CellTest, NoPartIsFreeWhereAFaceThatTheGapMakesEdgeOnTouches) {
     CellSearch search(test);
     for (std::uint32_t level = 6; level <= 10; ++level) {
       const RotationCell cell = cell_of(rest, level);
-      const CellPart part = search.part_of(cell, search.decide(cell).hint);
-      EXPECT_NE(part.state, CellState::free) << place;
-      EXPECT_FALSE(part.is_free(CellFrame(cell).place(rest))) << place;
+      for (const CellHint& hint : {CellHint{}, search.decide(cell).hint}) {
+        const CellPart part = search.part_of(cell, hint);
+        EXPECT_NE(part.state, CellState::free) << place;
+        EXPECT_FALSE(part.is_free(CellFrame(cell).place(rest))) << place;
+      }
     }
   }
 }
@@ -282,26 +284,20 @@ TEST(CellTest, DecidesNothingIfTheCentreMayBeOutsideOfTheBall) {
     EXPECT_EQ(CellSearch(test).decide(cell_near(dice.quaternion(), dice, 0, 9)).state, CellState::open);
 }
 
-// The spike is in the cup's wall, and out of the cup 80 degrees on. About a quarter turn its cap is too wide
-// to be asked about.
+// About a quarter turn the cap of a vertex is too wide to be asked about, though that of all rotations is
+// not: its bound is that of the vertex alone.
 TEST(CellTest, BlocksNoQuarterTurn) {
-  constexpr double kWithin = 1.0;
-  const BallSocketPair joint{ball_with_a_spike(),
-                             test::turned(cup(26.0, 70.0, 200), 0.05, Vec3(0.6, 0.8, 0.0))};
-  test::ExactTouch overlay(joint);
-  const auto turn = [](double angle) {
-    return Pose{Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix(), Vec3::Zero()};
-  };
-  ASSERT_TRUE(overlay.impinged(turn(0.0)));
-  ASSERT_FALSE(overlay.impinged(turn(80.0 * kDegree)));
-  const CellTest test(joint, {0.0, kWithin});
+  const CellTest test({icosphere(28.0, 2), test::turned(cup(26.0, 70.0, 200), 0.05, Vec3(0.6, 0.8, 0.0))},
+                      {0.0, 1.0});
   const auto& vertices = test.surface(Surface::ball).vertices();
-  const auto spike = static_cast<std::uint32_t>(
+  const auto top = static_cast<std::uint32_t>(
       std::ranges::max_element(vertices, {}, [](const Vec3& x) { return x.z(); }) - vertices.begin());
-  const CellHint hint{CellHint::kNone, CellHint::kNone, spike, true};
-  EXPECT_EQ(CellSearch(test).decide(RotationBall{turn(0.0).rotation, 0.1}, hint).state, CellState::blocked);
-  for (double radius = 1.4; radius < 1.57; radius += 0.002)
-    EXPECT_EQ(CellSearch(test).decide(RotationBall{turn(0.0).rotation, radius}, hint).state, CellState::open);
+  const CellHint hint{CellHint::kNone, CellHint::kNone, top, true};
+  const auto state = [&](double radius) {
+    return CellSearch(test).decide(RotationBall{Eigen::Matrix3d::Identity(), radius}, hint).state;
+  };
+  EXPECT_EQ(state(0.1), CellState::blocked);
+  for (double radius = 1.4; radius < 1.57; radius += 0.0005) EXPECT_EQ(state(radius), CellState::open);
 }
 
 TEST(CellTest, RefusesADoubtBelowZeroAndASocketWithoutFaces) {

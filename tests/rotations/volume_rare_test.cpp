@@ -11,6 +11,7 @@
 #include "mesh/bodies.hpp"
 #include "mesh/icosphere.hpp"
 #include "rotations/volume.hpp"
+#include "support/dice.hpp"
 #include "support/joined.hpp"
 #include "support/thrown.hpp"
 
@@ -18,22 +19,22 @@ namespace impinge {
 namespace {
 
 // A sphere of 12 mm on a shaft turns about a centre 50 mm off, past one of 10 mm: they are in contact in
-// rotations that tilt the first to within an angle of the second, a share (1 - cos) / 2 of all. `turned_deg`
-// is that tilt in the neutral pose.
+// rotations that bring the first to within 22 mm of the second. `turned` is the angle between them, radians,
+// in the neutral pose.
 struct TwoSpheres {
   static constexpr double kOff = 50.0;
   static constexpr std::array<double, 2> kSize{12.0, 10.0};
   static double angle(double apart) { return 2.0 * std::asin(0.5 * apart / kOff); }
-  static double share(double apart) { return 0.5 * (1.0 - std::cos(angle(apart))); }
 
-  explicit TwoSpheres(double turned) {
+  explicit TwoSpheres(double by) : turned(by) {
     const TriangleMesh inner = cup(300.0, 60.0, 100);
     TriangleMesh back = inner;
     for (Vec3& x : back.vertices) x *= 1.1;
     joint = {icosphere(5.0, 1), test::with_back(inner, back)};
-    const std::array<Vec3, 2> at{Vec3(std::cos(turned), std::sin(turned), 0.0), Vec3::UnitX()};
+    const std::array<Vec3, 2> at{Vec3(std::cos(turned), 0.8 * std::sin(turned), 0.6 * std::sin(turned)),
+                                 Vec3::UnitX()};
     for (std::size_t n = 0; n < 2; ++n) {
-      sphere[n] = icosphere(kSize[n], 3);
+      sphere[n] = icosphere(kSize[n], 1);
       double least = kSize[n];
       for (const Face& face : sphere[n].faces)
         least = std::min(least, area_vector(sphere[n], face).normalized().dot(corner(sphere[n], face, 0)));
@@ -41,64 +42,103 @@ struct TwoSpheres {
       for (Vec3& x : sphere[n].vertices) x += kOff * at[n];
     }
   }
+  double distance(const Eigen::Matrix3d& rotation) const {
+    return kOff *
+           (rotation * Vec3(std::cos(turned), 0.8 * std::sin(turned), 0.6 * std::sin(turned)) - Vec3::UnitX())
+               .norm();
+  }
   CellTest test() const { return {joint, {}, {{sphere[0]}, {sphere[1]}}}; }
 
   BallSocketPair joint;
   std::array<TriangleMesh, 2> sphere;
+  double turned;
   double within = 0.0;  // mm, the sum of both radii, of spheres that the meshes hold
 };
 
-TEST(MotionVolume, OfTwoSpheresIsThatOfTheirTilt) {
-  constexpr double kSum = TwoSpheres::kSize[0] + TwoSpheres::kSize[1];
-  for (const double apart : {0.0, 20.0, 60.0}) {  // mm, in the neutral pose
-    const TwoSpheres spheres(TwoSpheres::angle(apart));
-    const MotionVolume volume(spheres.test(), {.width = 0.004});
-    const VolumeShares& found = volume.shares();
-    EXPECT_LE(found.low(), 1.0 - TwoSpheres::share(spheres.within)) << apart;
-    EXPECT_GE(found.high(), 1.0 - TwoSpheres::share(kSum)) << apart;
-    EXPECT_LE(found.open, 0.004);
-    if (apart < kSum) {
-      EXPECT_EQ(found.reachable_low, 0.0) << apart;
-      EXPECT_EQ(found.reachable_high, 0.0) << apart;
-      EXPECT_EQ(volume.at(Quaternion4::Unit(0)).state, CellState::blocked) << apart;
-    } else {
-      EXPECT_EQ(found.reachable_low, found.free);
+// These lead straight to the cells of level 5 about the neutral pose, and leave all others out as free.
+std::vector<CellVerdict> known_to_the_neutral_pose() {
+  constexpr CellVerdict kOpen{CellState::open, {}};
+  constexpr CellVerdict kLeftOut{CellState::free, {}};
+  std::vector<CellVerdict> known{kOpen, kLeftOut, kLeftOut, kLeftOut};
+  known.insert(known.end(), 8, kOpen);
+  for (std::uint32_t level = 2; level < 5; ++level) {
+    for (std::uint64_t parent = 0; parent < 8; ++parent) {
+      for (std::uint64_t k = 0; k < 8; ++k) known.push_back(k == 7 - parent ? kOpen : kLeftOut);
     }
-    std::size_t finer = 0;
+  }
+  return known;
+}
+
+// Cells about the neutral pose, and what their parts and those of their parents say: beside the distance of
+// the spheres. What is free is joined to the neutral pose only if that is free.
+TEST(MotionVolume, OfTwoSpheresIsThatOfTheirDistance) {
+  constexpr double kSum = TwoSpheres::kSize[0] + TwoSpheres::kSize[1];
+  const std::vector<CellVerdict> known = known_to_the_neutral_pose();
+  for (const double apart : {16.0, 25.0}) {  // mm, in the neutral pose
+    const TwoSpheres spheres(TwoSpheres::angle(apart));
+    const MotionVolume volume(spheres.test(),
+                              {.width = 1e-9, .most_cells = 1500, .threads = 1, .known = known});
+    test::Dice dice(91);
+    std::array<std::size_t, 2> said{};
+    std::size_t finest = 0;
     volume.for_each([&](const VolumeCell& at) {
-      EXPECT_EQ(at.reachable, at.state == CellState::free && apart > kSum);
-      if (at.cell.level > 6) ++finer;
+      EXPECT_FALSE(apart < kSum && (at.reachable || at.within_reach));
+      if (at.cell.level < 5) return;
+      finest = std::max<std::size_t>(finest, at.cell.level);
+      for (int n = 0; n < 4; ++n) {
+        const Quaternion4 q =
+            point_of(at.cell, {dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0)});
+        const CellState state = volume.at(q).state;
+        const double distance = spheres.distance(rotation_of(q));
+        EXPECT_FALSE(state == CellState::free && distance < spheres.within);
+        EXPECT_FALSE(state == CellState::blocked && distance > kSum);
+        if (state == CellState::free || state == CellState::blocked) ++said[state == CellState::free ? 0 : 1];
+      }
     });
-    std::printf("%g: %zu cells, %zu finer, open %g\n", apart, found.cells, finer, found.open);
+    EXPECT_GE(finest, 6U);
+    EXPECT_GT(said[0], 100U);
+    EXPECT_GT(said[1], 100U);
+    EXPECT_EQ(volume.at(Quaternion4::Unit(0)).state, apart < kSum ? CellState::blocked : CellState::free);
+    EXPECT_EQ(volume.shares().reachable_low > 0.0, apart > kSum);
+    EXPECT_EQ(volume.shares().reachable_high > 0.0, apart > kSum);
+    if (apart < kSum) continue;
+    // Turns along sides of cells stop at the finest cell there that is not free.
+    std::size_t stopped = 0;
+    for (int k = 0; k < 60; ++k) {
+      JointTurn turn;
+      turn.axis = dice.vector();
+      turn.axis[k % 3] = 0.0;
+      turn.axis.normalize();
+      const VolumeLimit limit = volume.limit(turn, 8.0);
+      if (!limit.stops) continue;
+      ++stopped;
+      const double half = 0.5 * limit.low_deg * kDegree;
+      const Vec3 across = std::sin(half) * turn.axis;
+      std::uint32_t level = 0;
+      for (std::uint32_t side = 0; side < 8; ++side) {  // a hair to all sides
+        const Vec3 hair(side & 1U ? 1e-9 : -1e-9, side & 2U ? 1e-9 : -1e-9, side & 4U ? 1e-9 : -1e-9);
+        const Vec3 x = across + hair;
+        const VolumeCell at = volume.at({std::cos(half), x.x(), x.y(), x.z()});
+        if (at.state != CellState::free) level = std::max(level, at.cell.level);
+      }
+      EXPECT_EQ(limit.stops->cell.level, level) << turn.axis.transpose();
+      EXPECT_NE(limit.stops->state, CellState::free);
+    }
+    EXPECT_GT(stopped, 0U);
   }
 }
 
-// Turns along sides of cells of several sizes: the turn stops at the finest of those that are not free.
-TEST(MotionVolume, StopsAtTheFinestCell) {
-  const TwoSpheres spheres(TwoSpheres::angle(60.0));
-  const MotionVolume volume(spheres.test(), {.width = 0.004});
-  std::size_t stopped = 0;
-  for (const Vec3& axis : {Vec3(0, 0, -1), Vec3(0, 0, 1), Vec3(1, -1, 0), Vec3(1, 0, -1), Vec3(0, -1, -1),
-                           Vec3(1, 1, -1), Vec3(1, 0, 0), Vec3(0, 1, 0)}) {
-    JointTurn turn;
-    turn.axis = axis.normalized();
-    const VolumeLimit limit = volume.limit(turn, 180.0);
-    if (!limit.stops) continue;
-    ++stopped;
-    const double half = 0.5 * limit.low_deg * kDegree;
-    const Vec3 across = std::sin(half) * turn.axis;
-    const Quaternion4 q(std::cos(half), across.x(), across.y(), across.z());
-    std::uint32_t finest = 0;
-    for (std::uint32_t k = 0; k < 16; ++k) {  // a little to all sides
-      Quaternion4 beside = q;
-      for (Eigen::Index c = 0; c < 4; ++c) beside[c] += ((k >> c) & 1U ? 1.0 : -1.0) * 1e-8;
-      const VolumeCell at = volume.at(beside);
-      if (at.state != CellState::free) finest = std::max(finest, at.cell.level);
-    }
-    EXPECT_EQ(limit.stops->cell.level, finest) << axis.transpose();
-    EXPECT_NE(limit.stops->state, CellState::free);
-  }
-  EXPECT_GT(stopped, 0U);
+// The cells of level 5 are free in parts, but the neutral pose is in blocked ones.
+TEST(MotionVolume, ReachesNoFreePartFromABlockedOne) {
+  const std::vector<CellVerdict> known = known_to_the_neutral_pose();
+  const TwoSpheres spheres(TwoSpheres::angle(18.0));
+  const MotionVolume volume(spheres.test(), {.width = 1e-9, .most_cells = 275, .threads = 1, .known = known});
+  std::size_t parts = 0;
+  volume.for_each([&](const VolumeCell& at) { parts += at.part != nullptr ? 1U : 0U; });
+  EXPECT_GT(parts, 0U);
+  EXPECT_EQ(volume.at(Quaternion4::Unit(0)).state, CellState::blocked);
+  EXPECT_GT(volume.shares().free, 0.9);
+  EXPECT_EQ(volume.shares().reachable_low, 0.0);
 }
 
 // All that was known before is free, but for the first eighth of each cell.
