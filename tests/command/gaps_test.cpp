@@ -221,7 +221,7 @@ TEST_F(Gaps, AThickSocketIsReportedAndItsNearLayerUsed) {
   const std::string warning = joint["warnings"][1];
   EXPECT_NE(warning.find("socket.ply: rays from the centre meet it more than once in 41"), std::string::npos)
       << warning;
-  EXPECT_NE(warning.find("gaps are to the nearest layer"), std::string::npos) << warning;
+  EXPECT_NE(warning.find("gaps are measured to the nearest layer"), std::string::npos) << warning;
 }
 
 // And what is left out, with what that saves.

@@ -81,7 +81,7 @@ TEST(LimitsCommand, SaysFreeAndBlocked) {
   EXPECT_EQ(found.document["limits"][0]["high_deg"], 180.0);
   EXPECT_EQ(found.document["limits"].back()["state"], "blocked");
   EXPECT_NE(found.words.find("none up to 180"), std::string::npos) << found.words;
-  EXPECT_NE(found.words.find("before it begins"), std::string::npos) << found.words;
+  EXPECT_NE(found.words.find("reached at the start"), std::string::npos) << found.words;
 }
 
 // A limit that a graze makes: what is said must tell that half a millimetre changes it.

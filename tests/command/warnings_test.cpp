@@ -189,10 +189,10 @@ TEST(ScanContact, WhatIsNotKnownIsLeftOutOfTheWords) {
   found.smallest_gap.emplace().gap_mm = -1.25;
   EXPECT_EQ(said().find("deep along a ray"), std::string::npos);  // of other bones
   found.contact = {Contact::yes, ContactRule::surfaces, {}, {}};
-  EXPECT_NE(said().find("as scanned, 1.250 mm deep along a ray: what"), std::string::npos);
+  EXPECT_NE(said().find("as scanned, 1.250 mm deep along a ray: every"), std::string::npos);
   found.smallest_gap->hours = 1.5;
   EXPECT_NE(said().find("1.250 mm deep along a ray at 1:30 o'clock: "), std::string::npos);
-  EXPECT_NE(said().find("; --ignore-rest-contact asks"), std::string::npos);
+  EXPECT_NE(said().find("; --ignore-rest-contact accepts"), std::string::npos);
 }
 
 }  // namespace

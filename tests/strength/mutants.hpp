@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Included before every source of the copy that make_mutants.py writes. IMPINGE_MUTANT in the environment is the number of the
-// mutant that acts, none without it; IMPINGE_REACHED is a file to which the numbers of all mutants are appended whose place was run.
+// Included before every source of the copy that make_mutants.py writes. IMPINGE_MUTANT in the environment is
+// the number of the mutant that acts, none without it; IMPINGE_REACHED is a file to which the numbers of all
+// mutants are appended whose place was run.
 #pragma once
 
 #include <bitset>
