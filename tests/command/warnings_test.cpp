@@ -183,7 +183,7 @@ TEST(ScanContact, WhatIsNotKnownIsLeftOutOfTheWords) {
   const auto said = [&] { return describe_contact(found, "as scanned", options); };
   EXPECT_EQ(said(), "");
   found.contact = {Contact::yes, ContactRule::surfaces, "trochanter", "spine"};
-  EXPECT_EQ(said().rfind("trochanter and spine touch as scanned: what begins", 0), 0U);
+  EXPECT_EQ(said().rfind("trochanter and spine touch as scanned: every motion that begins", 0), 0U);
   EXPECT_EQ(said().find("--ignore"), std::string::npos);
   EXPECT_EQ(describe_threshold(found, "as scanned", options), "");
   found.smallest_gap.emplace().gap_mm = -1.25;

@@ -51,8 +51,9 @@ def unreached(document: dict) -> dict[tuple[str, str, str], int]:
             line, column, last, end, true, false, file = branch[:7]
             name = function["filenames"][file]
             if name in core:
-                taken[name, line, column, last, end][0] += true
-                taken[name, line, column, last, end][1] += false
+                # Counters lose some of what threads count at the same time: a side that is all less the other may be below 0.
+                for side, count in enumerate((true, false)):
+                    taken[name, line, column, last, end][side] += count if count < 1 << 62 else 0
     found = {}
     for (name, line, column, last, end), counts in sorted(taken.items()):
         lines = Path(name).read_text().splitlines()[line - 1 : last]
