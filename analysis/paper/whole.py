@@ -84,7 +84,7 @@ def shares(results: Path) -> str:
     table = volume.load(results)
     rows = table[~table.joint.isin(motion_limits.GENERATED) & (table.width == WIDTH) & (table.proven <= WIDTH)]
     if not len(rows):
-        return "This run has no real joints."
+        return "All rotations of real joints are bounded to that width in a full run alone."
     ends = f"{common.rounded_down(100 * rows.low.min(), 1)} and {common.rounded_up(100 * rows.high.max(), 1)} %"
     return f"The free share of all rotations of {len(rows)} real joints is between {ends}, and known to within {100 * WIDTH:g} % after {span(rows.time_s)} s on two threads."
 
