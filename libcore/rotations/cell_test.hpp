@@ -36,6 +36,14 @@
 // Excepted is a t in the planes of all faces at that vertex: about it the vertex counts for no surface
 // (gap/overlay.hpp).
 // A gap g moves the end of a way by g, along a ray that is turned by that angle: 2 g r / |x| more to D.
+//
+// With play the ball is shifted by any d, |d| <= D, and rays start at its centre d. The ball is seen as
+// without: only the socket is shifted, by -d. A point y of it is nearer or farther by D at most, and no more
+// than asin(D / |y|) from its direction. Free: |p| + D >= |y|, and the angle from R p to y is that. Blocked,
+// a vertex of the socket: the ball has to cover that angle about it, no nearer than |y| + D. Blocked, a
+// vertex of the ball: the way from d to d + R p is, m and more from the origin, within asin(D / m) of the
+// direction of R p; a patch that covers that, no farther than |p| - D, is crossed by it. A gap turns no ray.
+// Faces of the socket that are edge-on about the origin count with their caps.
 #pragma once
 
 #include <array>
@@ -65,6 +73,7 @@ struct CellQuestion {
   double gap_mm = 0.0;  // a gap as small as that counts as contact; 0 or more. Along rays between the
                         // main surfaces; the distance of parts
   double centre_within_mm = 0.0;  // for every common centre within that of the meshes' origin; 0 or more
+  double play_mm = 0.0;           // the most that searches ask for; not with centre_within_mm above 0
 };
 
 /// All rotations within `radius` of `rotation`, which takes directions of the ball to those of the socket.
@@ -83,6 +92,8 @@ struct CellHint {
   std::uint32_t socket_face = kNone;  // the same
   std::uint32_t vertex = kNone;       // that reached farthest into the other surface
   bool of_ball = true;                // is the vertex the ball's? Else the socket's
+  std::uint8_t place = 0;             // of a shift with which the cell is free (rotations/play.hpp)
+  std::uint32_t shut = 0;             // shifts with which it is blocked: the bits of places from 1 on
   bool operator==(const CellHint&) const = default;
 };
 
@@ -103,8 +114,9 @@ class CellTest {
   Vec3 ball_axis(const CellHint& hint) const { return grown_ball().faces()[hint.ball_face].cap.axis; }
   const SeenSurface& surface(Surface of) const { return side(of).seen; }
   const BodyPairs& bodies() const { return bodies_; }
-  /// All poses that these rotations stand for, with the doubt about the centre.
-  NearPoses poses_near(const RotationBall& rotations) const;
+  /// All poses that these rotations stand for, with the doubt about the centre, or every shift within
+  /// `play_mm`.
+  NearPoses poses_near(const RotationBall& rotations, double play_mm = 0.0) const;
 
  private:
   friend class CellSearch;
@@ -134,9 +146,9 @@ class CellTest {
 /// Asks a test, one cell at a time; each thread has its own.
 class CellSearch {
  public:
-  /// The test must outlive this.
-  explicit CellSearch(const CellTest& test) : test_(test) {}
-  explicit CellSearch(const CellTest&&) = delete;
+  /// The test must outlive this. For every shift of the ball within `play_mm`, that of its question at most.
+  explicit CellSearch(const CellTest& test, double play_mm = 0.0) : test_(test), play_mm_(play_mm) {}
+  explicit CellSearch(const CellTest&&, double = 0.0) = delete;
 
   /// The state of all these rotations. `hint`, as of the cell that this one is an eighth of, saves time.
   CellVerdict decide(const RotationBall& rotations, const CellHint& hint = {});
@@ -152,7 +164,7 @@ class CellSearch {
     Eigen::Matrix3d rotation;  // R
     Eigen::Matrix3d inverse;
     double shift;    // D
-    CapAngle angle;  // rho + asin(D / least radius)
+    CapAngle angle;  // rho and what D turns directions by
     double turn;     // rho
   };
   /// A face of the socket as the ball's frame has it.
@@ -201,6 +213,7 @@ class CellSearch {
   bool leaves(const Asked& asked) const;
 
   const CellTest& test_;
+  double play_mm_;
   PatchMemory memory_;
 };
 

@@ -14,7 +14,9 @@
 /// cells: it goes from cell to cell across common sides. Those that can be reached from the neutral pose
 /// without contact are at least the free cells, and parts, that are joined to it so through free ones, and at
 /// most what is not blocked of cells that are joined through cells that are not blocked. Two parts are joined
-/// where a rotation on the side between their cells is in both. Theorem 14 (volume).
+/// where a rotation on the side between their cells is in both. Theorem 14 (volume). With play the ball may
+/// be shifted in each of these rotations (rotations/play.hpp). Between two shifts there may be contact: of
+/// the cells that are free, those with the ball in its place are reached at least.
 #pragma once
 
 #include <algorithm>
@@ -26,6 +28,7 @@
 
 #include "hip/motion.hpp"
 #include "rotations/cell_test.hpp"
+#include "rotations/play.hpp"
 
 namespace impinge {
 
@@ -67,6 +70,7 @@ struct VolumeCell {
   bool within_reach = false;       // perhaps: joined to it by cells that are not blocked
   CellHint hint;                   // of an open or blocked cell: where surfaces may touch
   const CellPart* part = nullptr;  // of one that is free or blocked in parts; borrowed from the volume
+  std::optional<Vec3> shift;       // mm, of the ball, with which it is free; none without play
 };
 
 /// Angles of a turn, degrees from its start: every rotation up to low is free, at high one is blocked.
@@ -80,7 +84,9 @@ class MotionVolume {
  public:
   /// Refines at once, about 17 us of a core a cell for surfaces of 12,000 faces. std::invalid_argument for a
   /// width that is not above 0.
-  MotionVolume(const CellTest& test, const VolumeSettings& settings);
+  MotionVolume(const CellTest& test, const VolumeSettings& settings)
+      : MotionVolume(PlayTests(test), settings) {}
+  MotionVolume(const PlayTests& tests, const VolumeSettings& settings);
 
   const VolumeShares& shares() const { return shares_; }
   /// Calls visit for each cell, cube by cube in the order of their numbers.
@@ -118,6 +124,7 @@ class MotionVolume {
   std::vector<Node> nodes_;      // the four cubes first
   std::vector<CellHint> hints_;  // of each
   std::vector<CellPart> parts_;  // of open leaves; the first is none
+  double play_mm_;
   VolumeShares shares_;
 };
 
