@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// In which orientations of the socket are required motions free? A map over radiographic inclination and
-/// anteversion (hip/cup_angles.hpp), as cells that are free, blocked or still open. Theorem 15 (orientation).
+/// anteversion (hip/cup_angles.hpp), as cells that are free, blocked or still open. Theorem 16 (orientation).
 ///
 /// A socket that is turned by P about the centre of the ball meets the ball in the pose R as the socket at
 /// rest meets it in P^-1 R. P = T M(a) M(a0)^-1, with T the tilt of the pelvis, a the angles of the map and

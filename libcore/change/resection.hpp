@@ -41,7 +41,7 @@
 // axis a, whose corners x all have |x| >= K / cos(angle), each point has a . x >= K. Where a cut comes out at
 // the back of a wall, the back may so be moved beyond the bone that there was, by as much as leaves are wide:
 // clear of the ball, but cut_mm3 counts it as added. Leaves along whose rays all bone goes are taken out:
-// there the cut mesh is open, a crack as wide as leaves are long. Theorem 16 (resection).
+// there the cut mesh is open, a crack as wide as leaves are long. Theorem 17 (resection).
 #pragma once
 
 #include <array>

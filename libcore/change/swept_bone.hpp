@@ -6,7 +6,7 @@
 // Over a cap of directions. For every part of a leg, with R and rho its cap of poses, nothing is swept but
 // what may be bone over the cap of rho + angle about R axis; and what is bone in the pose R alone along every
 // ray of the cap of `angle` is swept. A part is halved until it is narrower than the cap itself, or the
-// second holds the first already. Theorem 17 (sweep).
+// second holds the first already. Theorem 18 (sweep).
 #pragma once
 
 #include <vector>

@@ -9,7 +9,7 @@
 // until it is narrower than the cap itself, or says enough. What it says holds for all parts, of which none
 // has a smaller one. E is nowhere more than the largest radius over the cap of `angle` about R axis, for any
 // R that was met on the way. F is the mirror image: its R^T turn directions by as much as R do, and the part
-// with the largest end is halved. Theorem 16 (resection).
+// with the largest end is halved. Theorem 17 (resection).
 #pragma once
 
 #include <span>

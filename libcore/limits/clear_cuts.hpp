@@ -13,7 +13,7 @@
 // no bound on a movement. A sphere about the centre sees the ball at rest. All of a face with corners a, b, c
 // is at least as far from the centre as the root of min(a.a, b.b, c.c) - L^2 / 3 with L its longest side,
 // since |sum w_k x_k|^2 = sum w_k |x_k|^2 - sum_{j<k} w_j w_k |x_j - x_k|^2, and the last weights add up to
-// 1/3 at most. Theorem 18 (certificate).
+// 1/3 at most. Theorem 19 (certificate).
 //
 // What is computed in doubles has to hold for slightly different numbers: those of the files, before reading
 // rounded them. Each face counts for both sides where it is nearer to a plane or a sphere than that.

@@ -9,7 +9,7 @@
 //
 // The page experiments/certificate_format.md says what the text means, and experiments/check_certificate.py
 // checks it in exact arithmetic. Here all is prepared in doubles with a margin for their rounding: that
-// script refuses a false text, and none is written where the margin is missing. Theorem 18 (certificate).
+// script refuses a false text, and none is written where the margin is missing. Theorem 19 (certificate).
 #pragma once
 
 #include <array>
