@@ -72,7 +72,9 @@ struct Opening {
 /// The bodies of a joint. Meshes in one frame, mm. Several threads may ask at the same time.
 class BodyPairs {
  public:
-  BodyPairs(const BallSocketPair& main, const BoneParts& beside);
+  /// With another one's ball, its inner balls included, it is for many poses at once: verdict() knows no
+  /// radii.
+  BodyPairs(const BallSocketPair& main, const BoneParts& beside, const BodyPairs* same_ball = nullptr);
   /// Of surfaces alone (see above), none of them with parts.
   static BodyPairs of_surfaces(const BallSocketPair& surfaces);
 
@@ -89,7 +91,7 @@ class BodyPairs {
   };
 
   /// Do all bones with main surfaces have an inside? Else radii decide about single poses of a sheet.
-  bool has_inside() const { return inside_ && !radial_; }
+  bool has_inside() const { return inside_ && !socket_[0]->sheet; }
   /// Main surfaces of which radii decide; null if they have an inside.
   const CulledJoint* radial() const { return radial_ ? &radial_->joint : nullptr; }
   /// Has none of them an opening?
@@ -186,11 +188,12 @@ class BodyPairs {
   template <class Visit>
   void for_each_turned(const Visit& visit) const;
 
-  std::vector<std::unique_ptr<Body>> ball_;
-  std::vector<std::unique_ptr<Body>> socket_;
+  std::vector<std::shared_ptr<Body>> ball_;
+  std::vector<std::shared_ptr<Body>> socket_;
   std::vector<Pair> pairs_;
   bool main_only_ = true;  // are the bones no more than the main surfaces?
   bool inside_ = true;     // are they more than surfaces alone?
+  bool same_ball_ = false;
   std::unique_ptr<const Radial> radial_;
 };
 

@@ -145,13 +145,16 @@ CellTest::Side::Side(const TriangleMesh& mesh, Layer layer, const CellQuestion& 
     moved = std::make_unique<const SeenSurface>(moved_out(mesh, question), layer, true);
 }
 
-CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question, const BoneParts& beside)
+CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question, const BoneParts& beside,
+                   const CellTest* same_ball)
     : question_(checked(joint, question)),
       growth_(growth_of(joint.ball, question.gap_mm)),
-      bodies_(joint, beside) {
+      bodies_(joint, beside, same_ball != nullptr ? &same_ball->bodies_ : nullptr) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
     const Surface of = kSurfaces[k];
-    sides_[k] = std::make_unique<const Side>(mesh_of(joint, of), facing_layer(of), question);
+    sides_[k] = of == Surface::ball && same_ball != nullptr
+                    ? same_ball->sides_[k]
+                    : std::make_shared<const Side>(mesh_of(joint, of), facing_layer(of), question);
   });
   bodies_.find_inner_balls(joint, question_.gap_mm > 0.0 || !bodies_.has_inside());
   const SeenSurface& socket = surface(Surface::socket);

@@ -107,7 +107,9 @@ class CellTest {
  public:
   /// Meshes in one frame whose origin is the centre of both, mm: the main surfaces, and what else is bone
   /// (limits/body_pairs.hpp). std::invalid_argument for a gap or centre below 0, or a surface without a face.
-  CellTest(const BallSocketPair& joint, const CellQuestion& question = {}, const BoneParts& beside = {});
+  /// Of the same ball, parts and question as those of another test, what it made of the ball is shared.
+  CellTest(const BallSocketPair& joint, const CellQuestion& question = {}, const BoneParts& beside = {},
+           const CellTest* same_ball = nullptr);
 
   const CellQuestion& question() const { return question_; }
   /// Unit direction of the face of the ball that a hint names, as the ball lies at rest.
@@ -135,7 +137,7 @@ class CellTest {
   const SeenSurface& grown_ball() const { return side(Surface::ball).grown(); }
 
   CellQuestion question_;
-  std::array<std::unique_ptr<const Side>, kSurfaces.size()> sides_;  // made at the same time
+  std::array<std::shared_ptr<const Side>, kSurfaces.size()> sides_;  // made at the same time
   double growth_;        // mm: no corner of the grown ball was moved farther
   double least_ball_;    // mm, radius of all faces, without the gap
   double least_socket_;  // the same

@@ -72,7 +72,8 @@ const CellTest& PlayTests::test(std::size_t place) const {
     BoneParts beside = beside_;
     for (TriangleMesh& part : beside.socket) part = relative_to(std::move(part), by);
     if (beside.whole_socket) beside.whole_socket = relative_to(std::move(*beside.whole_socket), by);
-    made.test.emplace(BallSocketPair{joint_.ball, relative_to(joint_.socket, by)}, question_, beside);
+    made.test.emplace(BallSocketPair{joint_.ball, relative_to(joint_.socket, by)}, question_, beside,
+                      place > 0 ? &test(0) : nullptr);
   });
   return *made.test;
 }
