@@ -29,7 +29,7 @@ double nearest_to_origin(const TriangleMesh& mesh) {
 
 ShiftBall shift_ball(std::size_t place) {
   if (place == 0) return {};
-  std::array<std::size_t, 3> third{(place - 1) % 3, (place - 1) / 3 % 3, (place - 1) / 9};
+  const std::array<std::size_t, 3> third{(place - 1) % 3, (place - 1) / 3 % 3, (place - 1) / 9};
   Vec3 sign;
   Vec3 low;  // of the box, where its signs are taken away
   for (Eigen::Index k = 0; k < 3; ++k) {

@@ -35,8 +35,8 @@ ShiftBall shift_ball(std::size_t place);
 /// the same time.
 class PlayTests {
  public:
-  /// Without play. The test must outlive this.
-  explicit PlayTests(const CellTest& test) : still_(&test), question_(test.question()) {}
+  /// Without play, whatever searches may ask of the test, which must outlive this.
+  explicit PlayTests(const CellTest& test) : still_(&test) {}
   explicit PlayTests(const CellTest&&) = delete;
   /// As for CellTest; question.play_mm is r. std::invalid_argument if the socket comes as near to the origin.
   PlayTests(BallSocketPair joint, const CellQuestion& question, BoneParts beside = {});

@@ -56,8 +56,8 @@ struct Attacked {
 
 // Rotations of cells near the border: none touches with the shift of its free cell, and all of blocked cells
 // do with any shift.
-Attacked attack(const PlayTests& tests, std::size_t most_cells, std::size_t shifts,
-                const TouchesWith& touches_with) {
+Attacked attack_shifts(const PlayTests& tests, std::size_t most_cells, std::size_t shifts,
+                       const TouchesWith& touches_with) {
   const MotionVolume volume(tests, {.width = 0.12, .most_cells = most_cells});
   std::vector<VolumeCell> blocked;
   std::array<std::vector<VolumeCell>, kShiftBalls> free;
@@ -91,7 +91,7 @@ Attacked attack(const PlayTests& tests, std::size_t most_cells, std::size_t shif
   return asked;
 }
 
-void attack_by_radii(double gap_mm) {
+void attack_shifts_by_radii(double gap_mm) {
   const Hip hip = make_hip(hip_preset("cam"), 1000);
   const BallSocketPair joint{hip.ball, hip.socket};
   const PlayTests tests(joint, {.gap_mm = gap_mm, .play_mm = 2.0});
@@ -105,14 +105,14 @@ void attack_by_radii(double gap_mm) {
       return overlay->impinged(pose) || (gap_mm > 0.0 && least && least->gap_mm <= gap_mm);
     };
   };
-  const Attacked asked = attack(tests, 200000, 20, touches_with);
+  const Attacked asked = attack_shifts(tests, 200000, 20, touches_with);
   EXPECT_GT(asked.free, random_cases() / 40);
   EXPECT_GT(asked.shifted, random_cases() / 10);
   EXPECT_GT(asked.blocked, random_cases() / 2);
 }
 
-TEST(TheoremPlay, IsNeverWrongOfAHip) { attack_by_radii(0.0); }
-TEST(TheoremPlay, IsNeverWrongOfAGap) { attack_by_radii(1.0); }
+TEST(TheoremPlay, IsNeverWrongOfAHip) { attack_shifts_by_radii(0.0); }
+TEST(TheoremPlay, IsNeverWrongOfAGap) { attack_shifts_by_radii(1.0); }
 
 TEST(TheoremPlay, IsNeverWrongOfBonesWithAnInside) {
   const test::ClosedBones bones;
@@ -121,7 +121,7 @@ TEST(TheoremPlay, IsNeverWrongOfBonesWithAnInside) {
   const auto touches_with = [&](const Vec3& shift) -> Touches {
     return [&bones, shift](const Eigen::Matrix3d& rotation) { return bones.meet(rotation, shift); };
   };
-  const Attacked asked = attack(tests, 20000, 50, touches_with);
+  const Attacked asked = attack_shifts(tests, 20000, 50, touches_with);
   EXPECT_GT(asked.free, random_cases() / 100);
   EXPECT_GT(asked.shifted, random_cases() / 20);
   EXPECT_GT(asked.blocked, random_cases() / 2);
