@@ -57,14 +57,16 @@ TEST_F(VolumeCommand, WritesCellsThatSumToAllRotations) {
   std::istringstream rows(read_bytes(out / "volume.csv"));
   std::string row;
   std::getline(rows, row);
-  EXPECT_EQ(row, "level,cell,w,x,y,z,radius_deg,share,free,blocked,state,reachable");
+  EXPECT_EQ(
+      row,
+      "level,cell,w,x,y,z,radius_deg,share,free,blocked,state,reachable,shift_x_mm,shift_y_mm,shift_z_mm");
   double free = 0.0;
   double all = 0.0;
   while (std::getline(rows, row)) {
     std::vector<std::string> cells;
     std::istringstream line(row + ",");
     for (std::string cell; std::getline(line, cell, ',');) cells.push_back(cell);
-    ASSERT_EQ(cells.size(), 12U) << row;
+    ASSERT_EQ(cells.size(), 15U) << row;
     all += std::stod(cells[7]);
     free += std::stod(cells[8]);
   }
@@ -135,12 +137,12 @@ TEST_F(VolumeCommand, GoesOnWhereItWasInterrupted) {
   std::filesystem::remove(again / "volume.csv");
   const std::string verdicts = read_bytes(part);
   std::string changed = verdicts;
-  changed[12 + 20 * (verdicts.size() / 40)] ^= 1;  // the state of a cell half way
+  changed[12 + 24 * (verdicts.size() / 48)] ^= 1;  // the state of a cell half way
   for (const std::string& left : {verdicts.substr(0, verdicts.size() / 2 + 7),  // killed in a verdict
                                   std::string(), std::string(verdicts.size(), '\0'), changed}) {
     write_bytes(part, left);
     EXPECT_EQ(run(again), 0);
-    const bool some = left.starts_with(verdicts.substr(0, 20));
+    const bool some = left.starts_with(verdicts.substr(0, 24));
     EXPECT_EQ(log_.find("cells were decided before") != std::string::npos, some);
     for (const char* file : {"volume.csv", "volume.json", "volume.svg", "mobility.svg"})
       EXPECT_EQ(read_bytes(again / file), read_bytes(whole / file)) << file;
