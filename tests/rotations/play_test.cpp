@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With play a rotation is free with some shift of the ball, or blocked with all: a closed form, and random
-// rotations and shifts asked of the exact overlay where radii decide, of CGAL's exact intersection of all
-// faces where both bones have an inside.
+// With play a rotation is free with some shift of the ball, or blocked with every shift. A closed form says
+// so, and random rotations with shifts: the exact overlay decides about them where radii count, CGAL's exact
+// intersection of all faces where both bones have an inside.
 #include "rotations/play.hpp"
 
 #include <algorithm>
@@ -50,12 +50,12 @@ using TouchesWith = std::function<Touches(const Vec3& shift)>;
 
 struct Attacked {
   std::size_t free = 0;
-  std::size_t shifted = 0;  // of them
+  std::size_t shifted = 0;  // free with a shift
   std::size_t blocked = 0;
 };
 
-// Rotations of cells near the border: none touches with the shift of its free cell, and all of blocked cells
-// do with any shift.
+// Asks about rotations of cells near the border. In a free cell none may touch with the cell's shift; in a
+// blocked cell each must touch with any shift.
 Attacked attack_shifts(const PlayTests& tests, std::size_t most_cells, std::size_t shifts,
                        const TouchesWith& touches_with) {
   const MotionVolume volume(tests, {.width = 0.12, .most_cells = most_cells});
@@ -127,8 +127,8 @@ TEST(TheoremPlay, IsNeverWrongOfBonesWithAnInside) {
   EXPECT_GT(asked.blocked, random_cases() / 2);
 }
 
-// The rim's point that is nearest to the neck is seen from within a ball of radius r about the centre: it
-// comes away by asin(r / 26), and no shift takes it farther. That is more than no shift allows.
+// A shift by r turns the direction from the centre to the rim, 26 mm away, by asin(r / 26) at most. So much
+// more tilt is free with play than without.
 TEST(MotionVolume, WithPlayIsThatOfAConeNeckInClosedForm) {
   const double neck = 20.0 * kDegree;
   const double opening = 80.0 * kDegree;
@@ -148,7 +148,8 @@ TEST(MotionVolume, WithPlayIsThatOfAConeNeckInClosedForm) {
   EXPECT_LE(found.reached(), share_of(wide - narrow));
 }
 
-// Whatever the number of threads, and whatever was known before; without play it is as if none was asked for.
+// The cells are the same with any number of threads and any verdicts known before. A play of 0 gives the
+// cells of a test without play.
 TEST(MotionVolume, WithPlayIsTheSameAgain) {
   const Hip hip = make_hip(hip_preset("normal"), 1000);
   const BallSocketPair joint{hip.ball, hip.socket};
