@@ -51,6 +51,11 @@ VolumeRow volume_row(const VolumeCell& at) {
                 .state = name(at.state),
                 .reachable = at.reachable};
   if (!at.reachable && at.within_reach) row.reachable.reset();
+  if (at.shift) {
+    row.shift_x_mm = at.shift->x();
+    row.shift_y_mm = at.shift->y();
+    row.shift_z_mm = at.shift->z();
+  }
   row.free = at.state == CellState::free ? row.share : at.part != nullptr ? at.part->free_share : 0.0;
   row.blocked = at.state == CellState::blocked ? row.share
                 : at.part != nullptr           ? at.part->blocked_share
@@ -58,7 +63,7 @@ VolumeRow volume_row(const VolumeCell& at) {
   return row;
 }
 
-CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const CellQuestion& question) {
+PlayTests cell_tests(const SessionJoint& joint, const TriangleMesh& socket, const CellQuestion& question) {
   const JointPart& of_ball = joint.joint.ball;
   const TriangleMesh ball = in_joint_frame(joint, of_ball.mesh);
   const TriangleMesh facing = in_joint_frame(joint, socket);
@@ -70,12 +75,13 @@ CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const 
 
 VolumeAnswer answer(Session& session, const VolumeRequest& request, VolumeSettings how) {
   const SessionJoint& joint = *session.joint;
-  const CellTest test = cell_test(joint, joint.joint.socket.mesh, {request.gap_mm, request.centre_within_mm});
+  const PlayTests tests =
+      cell_tests(joint, joint.joint.socket.mesh, {request.gap_mm, request.centre_within_mm, request.play_mm});
   how.width = request.width;
-  VolumeAnswer found{.motions = {}, .volume = MotionVolume(test, how)};
+  VolumeAnswer found{.motions = {}, .volume = MotionVolume(tests, how)};
   if (!joint.side) return found;
   for (const NamedMotion& motion : named_motions())
-    found.motions.push_back(motion_in(found.volume, joint, test, motion));
+    found.motions.push_back(motion_in(found.volume, joint, tests.test(0), motion));
   return found;
 }
 
