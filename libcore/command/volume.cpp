@@ -22,9 +22,9 @@ namespace impinge {
 namespace {
 
 // Version of the test and order of cells; verdicts of another version are not taken.
-constexpr const char* kVerdicts = "volume 5";
+constexpr const char* kVerdicts = "volume 4";
 
-// Verdicts of an interrupted run, as bytes: five words each, and a sixth that belongs to this place, question
+// Verdicts of an interrupted run, as bytes: four words each, and a fifth that belongs to this place, question
 // and version. From the first that does not match, everything is worked out again.
 class VerdictFile {
  public:
@@ -62,13 +62,12 @@ class VerdictFile {
   VerdictFile& operator=(const VerdictFile&) = delete;
 
  private:
-  using Words = std::array<std::uint32_t, 6>;
+  using Words = std::array<std::uint32_t, 5>;
 
   std::string bytes_of(const CellVerdict& verdict, std::size_t place) const {
     const CellHint& hint = verdict.hint;
     Words words{hint.ball_face, hint.socket_face, hint.vertex,
-                static_cast<std::uint32_t>(verdict.state) + (hint.of_ball ? 4U : 0U) + 8U * hint.place,
-                hint.shut};
+                static_cast<std::uint32_t>(verdict.state) + (hint.of_ball ? 4U : 0U)};
     std::string bytes(sizeof words, '\0');
     std::memcpy(bytes.data(), words.data(), sizeof words);
     words.back() = static_cast<std::uint32_t>(fnv1a(bytes, key_ + place) >> 32U);
@@ -80,11 +79,8 @@ class VerdictFile {
     for (std::size_t at = 0; at + sizeof words <= bytes.size(); at += sizeof words) {
       std::memcpy(words.data(), bytes.data() + at, sizeof words);
       const CellVerdict verdict{static_cast<CellState>(words[3] % 4),
-                                {words[0], words[1], words[2], words[3] / 4 % 2 != 0,
-                                 static_cast<std::uint8_t>(words[3] / 8), words[4]}};
-      if (words[3] / 8 >= kShiftBalls ||
-          bytes.compare(at, sizeof words, bytes_of(verdict, known_.size())) != 0)
-        return;
+                                {words[0], words[1], words[2], words[3] >= 4}};
+      if (words[3] >= 8 || bytes.compare(at, sizeof words, bytes_of(verdict, known_.size())) != 0) return;
       known_.push_back(verdict);
     }
   }
@@ -121,14 +117,12 @@ std::shared_ptr<TemporaryFile> write_cells(const std::filesystem::path& path, co
   return file;
 }
 
-std::string words_of_volume(const VolumeAnswer& found, const VolumeRequest& request) {
+std::string words_of_volume(const VolumeAnswer& found, double width) {
   const VolumeShares& shares = found.shares();
   std::string text = formatted("free                %.2f to %.2f %% of all rotations", 100.0 * shares.low(),
                                100.0 * shares.high());
   if (shares.unknown > 0.0)
     text += formatted("; of %.2f %% nothing is known: the ball's mesh ends there", 100.0 * shares.unknown);
-  if (request.play_mm > 0.0)
-    text += formatted("; each with some shift of the ball, up to %g mm", request.play_mm);
   text += formatted(
       "\nmobility            %.2f to %.2f million degrees^3 of 14.85, weighted by the cosine\n"
       "                    of bones alone: ligaments and muscles forbid most of what bones allow",
@@ -136,9 +130,7 @@ std::string words_of_volume(const VolumeAnswer& found, const VolumeRequest& requ
   if (found.neutral_blocked()) return text + "\nreachable           none: the pose of the scan is blocked\n";
   text += formatted("\nreachable           %.2f to %.2f %% from the pose of the scan without contact\n",
                     100.0 * shares.reached(), 100.0 * shares.within_reach());
-  if (request.play_mm > 0.0)
-    text += "                    at least: without a shift, for between two shifts bones may meet\n";
-  if (shares.open > request.width)
+  if (shares.open > width)
     text += formatted("undecided           %.2f %%: more than was wanted, after %zu cells\n",
                       100.0 * shares.open, shares.cells);
   return text;
@@ -175,7 +167,7 @@ VolumeAnswer refined(Session& session, const VolumeRequest& request, const Work&
 Told tell_volume(Session& session, const VolumeRequest& request, const Work& work) {
   Told told{};
   const VolumeAnswer found = refined(session, request, work, told);
-  told.words = words_of_volume(found, request);
+  told.words = words_of_volume(found, request.width);
   told.document = json_of(found);
   for (const char* share : {"share_low", "share_high", "reachable_low", "reachable_high", "unknown", "open"})
     told.row_of_one.push_back({share, std::string("/") + share});

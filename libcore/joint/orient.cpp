@@ -76,7 +76,7 @@ OrientAnswer answer(Session& session, const OrientRequest& request) {
       .map = {question.least.inclination_deg, question.least.anteversion_deg, question.width_deg},
       .area_deg2 = {},
       .legs = {},
-      .cells = orientation_map(cell_tests(joint, joint.mesh(Surface::socket)).test(0), question)};
+      .cells = orientation_map(cell_test(joint, joint.mesh(Surface::socket)), question)};
   found.map.squares = found.cells.size();
   found.nearest_free = nearest_free(joint, question, found.cells);
   for (const RequiredLeg& leg : question.legs) found.legs.push_back(describe(leg));

@@ -51,11 +51,6 @@ VolumeRow volume_row(const VolumeCell& at) {
                 .state = name(at.state),
                 .reachable = at.reachable};
   if (!at.reachable && at.within_reach) row.reachable.reset();
-  if (at.shift) {
-    row.shift_x_mm = at.shift->x();
-    row.shift_y_mm = at.shift->y();
-    row.shift_z_mm = at.shift->z();
-  }
   row.free = at.state == CellState::free ? row.share : at.part != nullptr ? at.part->free_share : 0.0;
   row.blocked = at.state == CellState::blocked ? row.share
                 : at.part != nullptr           ? at.part->blocked_share
@@ -63,7 +58,7 @@ VolumeRow volume_row(const VolumeCell& at) {
   return row;
 }
 
-PlayTests cell_tests(const SessionJoint& joint, const TriangleMesh& socket, const CellQuestion& question) {
+CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const CellQuestion& question) {
   const JointPart& of_ball = joint.joint.ball;
   const TriangleMesh ball = in_joint_frame(joint, of_ball.mesh);
   const TriangleMesh facing = in_joint_frame(joint, socket);
@@ -75,13 +70,12 @@ PlayTests cell_tests(const SessionJoint& joint, const TriangleMesh& socket, cons
 
 VolumeAnswer answer(Session& session, const VolumeRequest& request, VolumeSettings how) {
   const SessionJoint& joint = *session.joint;
-  const PlayTests tests =
-      cell_tests(joint, joint.joint.socket.mesh, {request.gap_mm, request.centre_within_mm, request.play_mm});
+  const CellTest test = cell_test(joint, joint.joint.socket.mesh, {request.gap_mm, request.centre_within_mm});
   how.width = request.width;
-  VolumeAnswer found{.motions = {}, .volume = MotionVolume(tests, how)};
+  VolumeAnswer found{.motions = {}, .volume = MotionVolume(test, how)};
   if (!joint.side) return found;
   for (const NamedMotion& motion : named_motions())
-    found.motions.push_back(motion_in(found.volume, joint, tests.test(0), motion));
+    found.motions.push_back(motion_in(found.volume, joint, test, motion));
   return found;
 }
 

@@ -21,7 +21,6 @@ struct VolumeRequest {
   double width = 0.05;
   double gap_mm = 0.0;
   double centre_within_mm = 0.0;
-  double play_mm = 0.0;
 
   static constexpr const char* kThresholdOption = "--gap";
   double threshold_mm() const { return gap_mm; }
@@ -32,10 +31,7 @@ struct VolumeRequest {
       Field{"gap_mm", "mm", "gaps up to this count as contact, e.g. the cartilage's thickness",
             &VolumeRequest::gap_mm, kNotNegative},
       Field{"centre_within_mm", "mm", "the answer holds for every common centre within this distance",
-            &VolumeRequest::centre_within_mm, kNotNegative},
-      Field{"play_mm", "mm",
-            "a rotation is free if it is with some shift of the ball up to this, blocked if with none",
-            &VolumeRequest::play_mm, kNotNegative}};
+            &VolumeRequest::centre_within_mm, kNotNegative}};
 };
 
 /// What stops a motion, as far as the cells tell.
@@ -111,9 +107,6 @@ struct VolumeRow {
   double blocked = 0.0;
   std::string_view state;
   std::optional<bool> reachable;
-  std::optional<double> shift_x_mm{};
-  std::optional<double> shift_y_mm{};
-  std::optional<double> shift_z_mm{};
 
   static constexpr std::tuple fields{
       Field{"level", "1", "how often a cube was halved (rotations/rotation_cells.hpp)", &VolumeRow::level},
@@ -131,11 +124,7 @@ struct VolumeRow {
       Field{"blocked", "1", "the same, that is blocked", &VolumeRow::blocked},
       Field{"state", "", "free, blocked, unknown, or open: undecided", &VolumeRow::state},
       Field{"reachable", "", "without contact from the pose of the scan; empty where it is not known",
-            &VolumeRow::reachable},
-      Field{"shift_x_mm", "mm", "of the ball to the right, with which all of a free cell is; with play only",
-            &VolumeRow::shift_x_mm},
-      Field{"shift_y_mm", "mm", "anterior", &VolumeRow::shift_y_mm},
-      Field{"shift_z_mm", "mm", "superior", &VolumeRow::shift_z_mm}};
+            &VolumeRow::reachable}};
 };
 VolumeRow volume_row(const VolumeCell& at);
 
@@ -146,9 +135,8 @@ inline constexpr std::size_t kMostVolumeCells = 20'000'000;
 VolumeAnswer answer(Session& session, const VolumeRequest& request,
                     VolumeSettings how = {.most_cells = kMostVolumeCells});
 
-/// The tests for cells of rotations, with parts of bone. `socket` is the socket's mesh with its parts, about
+/// The test for cells of rotations, with parts of bone. `socket` is the socket's mesh with its parts, about
 /// the centre of the ball: SessionJoint::seen, or as it was before the ball was shifted.
-PlayTests cell_tests(const SessionJoint& joint, const TriangleMesh& socket,
-                     const CellQuestion& question = {});
+CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const CellQuestion& question = {});
 
 }  // namespace impinge

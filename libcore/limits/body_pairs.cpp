@@ -257,20 +257,18 @@ Contact BodyPairs::Body::holds_of(const Body& other, double reach, const Place& 
   return found;
 }
 
-BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside, const BodyPairs* same_ball)
-    : main_only_(!beside.whole_ball && !beside.whole_socket), same_ball_(same_ball != nullptr) {
-  if (same_ball_) ball_ = same_ball->ball_;
+BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
+    : main_only_(!beside.whole_ball && !beside.whole_socket) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
     const bool ball = kSurfaces[k] == Surface::ball;
-    if (ball && same_ball_) return;
     const std::optional<TriangleMesh>& whole = ball ? beside.whole_ball : beside.whole_socket;
     auto& bodies = ball ? ball_ : socket_;
-    bodies.push_back(std::make_shared<Body>(whole ? *whole : mesh_of(main, kSurfaces[k]), ball,
+    bodies.push_back(std::make_unique<Body>(whole ? *whole : mesh_of(main, kSurfaces[k]), ball,
                                             whole ? Body::Is::whole : Body::Is::main));
     for (const TriangleMesh& part : ball ? beside.ball : beside.socket)
-      bodies.push_back(std::make_shared<Body>(part, ball, Body::Is::part));
+      bodies.push_back(std::make_unique<Body>(part, ball, Body::Is::part));
   });
-  if (socket_[0]->sheet && !same_ball_) radial_ = std::make_unique<const Radial>(main);
+  if (socket_[0]->sheet) radial_ = std::make_unique<const Radial>(main);
   for (std::size_t b = 0; b < ball_.size(); ++b) {
     for (std::size_t s = 0; s < socket_.size(); ++s) pairs_.push_back({b, s});
   }
@@ -301,8 +299,8 @@ void BodyPairs::Body::find_main(const TriangleMesh& main) {
 BodyPairs BodyPairs::of_surfaces(const BallSocketPair& surfaces) {
   BodyPairs pairs;
   pairs.inside_ = false;
-  pairs.ball_.push_back(std::make_shared<Body>(surfaces.ball, true, Body::Is::surface));
-  pairs.socket_.push_back(std::make_shared<Body>(surfaces.socket, false, Body::Is::surface));
+  pairs.ball_.push_back(std::make_unique<Body>(surfaces.ball, true, Body::Is::surface));
+  pairs.socket_.push_back(std::make_unique<Body>(surfaces.socket, false, Body::Is::surface));
   pairs.pairs_.push_back({});
   return pairs;
 }
@@ -426,7 +424,6 @@ std::optional<std::vector<ClosePair>> BodyPairs::close(const NearPoses& poses, b
 
 void BodyPairs::find_inner_balls(const BallSocketPair& main, bool by_radii) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
-    if (same_ball_ && kSurfaces[k] == Surface::ball) return;
     const auto& bodies = kSurfaces[k] == Surface::ball ? ball_ : socket_;
     const auto& others = kSurfaces[k] == Surface::ball ? socket_ : ball_;
     bodies[0]->find_main(mesh_of(main, kSurfaces[k]));

@@ -63,9 +63,7 @@ struct Opening {
 /// The bodies of a joint. Meshes in one frame, mm. Several threads may ask at the same time.
 class BodyPairs {
  public:
-  /// `same_ball` are the bodies of a joint with the same ball; its bodies and their inner balls are then
-  /// shared. Radii are not prepared: ask about many poses at once only, not verdict().
-  BodyPairs(const BallSocketPair& main, const BoneParts& beside, const BodyPairs* same_ball = nullptr);
+  BodyPairs(const BallSocketPair& main, const BoneParts& beside);
   /// A joint of surfaces alone (see above), without parts.
   static BodyPairs of_surfaces(const BallSocketPair& surfaces);
 
@@ -82,7 +80,7 @@ class BodyPairs {
   };
 
   /// Do the main bones have an inside? Else they are surfaces alone, or radii decide about single poses.
-  bool has_inside() const { return inside_ && !socket_[0]->sheet; }
+  bool has_inside() const { return inside_ && !radial_; }
   /// The main surfaces if radii decide about them; null if they do not.
   const CulledJoint* radial() const { return radial_ ? &radial_->joint : nullptr; }
   /// Is no body open?
@@ -181,12 +179,11 @@ class BodyPairs {
   template <class Visit>
   void for_each_turned(const Visit& visit) const;
 
-  std::vector<std::shared_ptr<Body>> ball_;
-  std::vector<std::shared_ptr<Body>> socket_;
+  std::vector<std::unique_ptr<Body>> ball_;
+  std::vector<std::unique_ptr<Body>> socket_;
   std::vector<Pair> pairs_;
-  bool main_only_ = true;   // are the main bones no more than the main surfaces?
-  bool inside_ = true;      // false for surfaces alone
-  bool same_ball_ = false;  // are the ball's bodies shared with another joint?
+  bool main_only_ = true;  // are the main bones no more than the main surfaces?
+  bool inside_ = true;     // false for surfaces alone
   std::unique_ptr<const Radial> radial_;
 };
 

@@ -117,12 +117,11 @@ double growth_of(const TriangleMesh& mesh, double gap) {
   return gap / std::max(DirectionFace::kLeastCosine, least) * (1.0 + 1e-9);
 }
 
+bool edge_on(const CellQuestion& question) { return question.centre_within_mm > 0.0; }
+
 const CellQuestion& checked(const BallSocketPair& joint, const CellQuestion& question) {
-  if (!(question.gap_mm >= 0.0) || !(question.centre_within_mm >= 0.0) || !(question.play_mm >= 0.0))
-    throw std::invalid_argument(
-        "motion volume: the gap, the distance of the centre and the play must be 0 mm or more");
-  if (question.centre_within_mm > 0.0 && question.play_mm > 0.0)
-    throw std::invalid_argument("motion volume: ask for every centre or for play, not for both at once");
+  if (!(question.gap_mm >= 0.0) || !(question.centre_within_mm >= 0.0))
+    throw std::invalid_argument("motion volume: the gap and the distance of the centre must be 0 mm or more");
   if (without_edge_on(joint.ball).faces.empty() || without_edge_on(joint.socket).faces.empty())
     throw std::invalid_argument(
         "motion volume: a surface has no face that the centre sees; give both meshes");
@@ -136,25 +135,21 @@ RotationBall ball_about(const RotationCell& cell) {
 }
 
 CellTest::Side::Side(const TriangleMesh& mesh, Layer layer, const CellQuestion& question)
-    : seen(mesh, layer,
-           layer == Layer::nearest && (question.centre_within_mm > 0.0 || question.play_mm > 0.0)),
+    : seen(mesh, layer, layer == Layer::nearest && edge_on(question)),
       limits(without_edge_on(layer == Layer::farthest ? moved_out(mesh, question) : mesh), layer),
       holes(layer == Layer::farthest ? mesh_holes(seen) : MeshHoles{CapTree({}), {}, {}}),
       floor(seen) {
-  if (layer == Layer::farthest && (question.gap_mm > 0.0 || question.centre_within_mm > 0.0))
+  if (layer == Layer::farthest && (question.gap_mm > 0.0 || edge_on(question)))
     moved = std::make_unique<const SeenSurface>(moved_out(mesh, question), layer, true);
 }
 
-CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question, const BoneParts& beside,
-                   const CellTest* same_ball)
+CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question, const BoneParts& beside)
     : question_(checked(joint, question)),
       growth_(growth_of(joint.ball, question.gap_mm)),
-      bodies_(joint, beside, same_ball != nullptr ? &same_ball->bodies_ : nullptr) {
+      bodies_(joint, beside) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
     const Surface of = kSurfaces[k];
-    sides_[k] = of == Surface::ball && same_ball != nullptr
-                    ? same_ball->sides_[k]
-                    : std::make_shared<const Side>(mesh_of(joint, of), facing_layer(of), question);
+    sides_[k] = std::make_unique<const Side>(mesh_of(joint, of), facing_layer(of), question);
   });
   bodies_.find_inner_balls(joint, question_.gap_mm > 0.0 || !bodies_.has_inside());
   const SeenSurface& socket = surface(Surface::socket);
@@ -163,12 +158,12 @@ CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question, co
   edge_on_ = grown_ball().edge_on() || socket.edge_on();
 }
 
-NearPoses CellTest::poses_near(const RotationBall& rotations, double play_mm) const {
+NearPoses CellTest::poses_near(const RotationBall& rotations) const {
   const double turned = Eigen::AngleAxisd(rotations.rotation).angle();
   const double turn = rotations.radius + kTurnSlack;
   const double most = std::min(kPi, turned + turn);
   const double within = question_.centre_within_mm;
-  return {rotations.rotation, turn, (2.0 * std::sin(0.5 * most) * within + play_mm) * (1.0 + kTolerance),
+  return {rotations.rotation, turn, 2.0 * std::sin(0.5 * most) * within * (1.0 + kTolerance),
           question_.gap_mm};
 }
 
@@ -269,12 +264,10 @@ CellSearch::Reach CellSearch::reach_at(const Asked& asked, Surface of, std::uint
   const double gap = test_.question_.gap_mm;
   const double shift = asked.shift + 2.0 * gap * r / length;
   reach.radius = of_ball ? length + gap - shift : length - gap + shift;
-  const double least = std::min(length, of_ball ? test_.least_socket_ : HUGE_VAL);
-  const double nearest = least - shift;
+  const double nearest = std::min(length, of_ball ? test_.least_socket_ : HUGE_VAL) - shift;
   if (!(nearest > r) || !(reach.radius > 0.5 * length) || (r > 0.0 && gap > 0.5 * (length - r))) return reach;
   reach.cap.axis = (of_ball ? asked.rotation : asked.inverse) * x / length;
-  const double shifted = r > 0.0 ? length : least;
-  reach.cap.radius = asked.turn + std::asin(asked.shift / shifted) + std::asin(r / nearest) + kTurnSlack;
+  reach.cap.radius = asked.turn + std::asin(asked.shift / length) + std::asin(r / nearest) + kTurnSlack;
   const SeenSurface& met = test_.surface(other(of));
   reach.face = test_.side(other(of)).floor.face_along(reach.cap.axis);
   if (reach.face == DirectionFace::kNone) return reach;
@@ -404,17 +397,17 @@ bool CellSearch::leaves(const Asked& asked) const {
 CellSearch::Asked CellSearch::asked_of(const NearPoses& poses, const RotationBall& rotations) const {
   const double shift = poses.shift_mm;
   const double r = test_.question_.centre_within_mm;
-  const double doubt = r > 0.0 ? std::asin(shift / test_.least_ball_) + std::asin(r / test_.least_socket_)
-                       : shift > 0.0 ? std::asin(shift / test_.least_socket_)
-                                     : 0.0;
+  const double doubt =
+      r == 0.0 ? 0.0 : std::asin(shift / test_.least_ball_) + std::asin(r / test_.least_socket_);
   return {rotations.rotation, rotations.rotation.transpose(), shift,
           CapAngle(rotations.radius + doubt + kTurnSlack), rotations.radius};
 }
 
 CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& from) {
-  const NearPoses poses = test_.poses_near(rotations, play_mm_);
-  const double doubt = std::max(poses.shift_mm, test_.question_.centre_within_mm);
-  if (doubt > 0.0 && !(std::min(test_.least_ball_, test_.least_socket_) > doubt + test_.question_.gap_mm))
+  const NearPoses poses = test_.poses_near(rotations);
+  const double r = test_.question_.centre_within_mm;
+  if (r > 0.0 && !(std::min(test_.least_ball_, test_.least_socket_) >
+                   std::max(poses.shift_mm, r) + test_.question_.gap_mm))
     return {};
   const Asked asked = asked_of(poses, rotations);
   if (asked.angle.wide) return {};
@@ -719,9 +712,9 @@ bool CellSearch::keep_bodies_apart(Parted& at, const NearPoses& poses, bool by_r
 CellPart CellSearch::part_of(const RotationCell& cell, const CellHint& hint) {
   const CellQuestion& question = test_.question_;
   const RotationBall rotations = ball_about(cell);
-  const NearPoses poses = test_.poses_near(rotations, play_mm_);
+  const NearPoses poses = test_.poses_near(rotations);
   const bool by_radii = question.gap_mm > 0.0 || !test_.bodies_.has_inside();
-  if (poses.shift_mm > 0.0 || question.centre_within_mm > 0.0 || cell.level > kFinestPart ||
+  if (question.centre_within_mm > 0.0 || cell.level > kFinestPart ||
       cell.level < (by_radii ? kCoarsestPart : kCoarsestOfBodies))
     return {};
   Parted at{asked_of(poses, rotations), CellFrame(cell)};

@@ -14,9 +14,6 @@
 ///
 /// If the common centre is known only to within a distance, the answers hold for every such centre t; but a
 /// vertex blocks nothing about a t that lies in the planes of all its faces.
-///
-/// A search with play answers for every shift of the ball up to a distance (rotations/play.hpp). Rays then
-/// start at the shifted centre of the ball.
 #pragma once
 
 #include <array>
@@ -46,7 +43,6 @@ struct CellQuestion {
   double gap_mm = 0.0;  // a gap of this or less counts as contact; 0 or more. Between main surfaces it is
                         // along rays, between parts the distance
   double centre_within_mm = 0.0;  // for every common centre as near to the meshes' origin; 0 or more
-  double play_mm = 0.0;  // the largest shift that a search may allow; 0 if centre_within_mm is above 0
 };
 
 /// All rotations within `radius` of `rotation`, which takes the ball's frame to the socket's.
@@ -65,8 +61,6 @@ struct CellHint {
   std::uint32_t socket_face = kNone;  // may touch ball_face
   std::uint32_t vertex = kNone;       // the vertex that reaches farthest into the other surface
   bool of_ball = true;                // is the vertex the ball's? Else the socket's
-  std::uint8_t place = 0;             // of a shift with which the cell is free: a ball of rotations/play.hpp
-  std::uint32_t shut = 0;             // balls of shifts with which it is blocked: bit k for place k + 1
   bool operator==(const CellHint&) const = default;
 };
 
@@ -80,19 +74,16 @@ class CellTest {
  public:
   /// Meshes in one frame whose origin is the centre of both, mm: the main surfaces, and the rest of the bones
   /// (limits/body_pairs.hpp). Throws std::invalid_argument if the gap or the distance of the centre is below
-  /// 0, or a surface has no face that the centre sees. `same_ball` is a test of the same ball, parts of the
-  /// ball and question: the two then share what was built for the ball.
-  CellTest(const BallSocketPair& joint, const CellQuestion& question = {}, const BoneParts& beside = {},
-           const CellTest* same_ball = nullptr);
+  /// 0, or a surface has no face that the centre sees.
+  CellTest(const BallSocketPair& joint, const CellQuestion& question = {}, const BoneParts& beside = {});
 
   const CellQuestion& question() const { return question_; }
   /// Unit direction of the ball's face in a hint, as the ball lies at rest.
   Vec3 ball_axis(const CellHint& hint) const { return grown_ball().faces()[hint.ball_face].cap.axis; }
   const SeenSurface& surface(Surface of) const { return side(of).seen; }
   const BodyPairs& bodies() const { return bodies_; }
-  /// All poses of these rotations, for every centre that the question allows, or for every shift within
-  /// `play_mm`.
-  NearPoses poses_near(const RotationBall& rotations, double play_mm = 0.0) const;
+  /// All poses of these rotations, for every centre that the question allows.
+  NearPoses poses_near(const RotationBall& rotations) const;
 
  private:
   friend class CellSearch;
@@ -111,7 +102,7 @@ class CellTest {
   const SeenSurface& grown_ball() const { return side(Surface::ball).grown(); }
 
   CellQuestion question_;
-  std::array<std::shared_ptr<const Side>, kSurfaces.size()> sides_;  // built in parallel
+  std::array<std::unique_ptr<const Side>, kSurfaces.size()> sides_;  // built in parallel
   double growth_;        // mm, the farthest that a corner of the ball was moved for the gap
   double least_ball_;    // mm, least radius of the ball, without the gap
   double least_socket_;  // mm, least radius of the socket
@@ -122,10 +113,9 @@ class CellTest {
 /// Asks a test about one cell after the other. Each thread has its own.
 class CellSearch {
  public:
-  /// The test must outlive this object. The search answers for every shift of the ball within `play_mm`,
-  /// which is at most the play of the test's question.
-  explicit CellSearch(const CellTest& test, double play_mm = 0.0) : test_(test), play_mm_(play_mm) {}
-  explicit CellSearch(const CellTest&&, double = 0.0) = delete;
+  /// The test must outlive this object.
+  explicit CellSearch(const CellTest& test) : test_(test) {}
+  explicit CellSearch(const CellTest&&) = delete;
 
   /// The state of all these rotations. A hint, such as that of the parent cell, saves time.
   CellVerdict decide(const RotationBall& rotations, const CellHint& hint = {});
@@ -191,7 +181,6 @@ class CellSearch {
   bool leaves(const Asked& asked) const;
 
   const CellTest& test_;
-  double play_mm_;
   PatchMemory memory_;
 };
 

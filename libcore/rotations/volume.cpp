@@ -25,13 +25,12 @@ constexpr std::uint8_t kPerhaps = 2;
 // Splits open cells, the largest first.
 class MotionVolume::Refinement {
  public:
-  Refinement(MotionVolume& volume, const PlayTests& tests, const VolumeSettings& settings)
+  Refinement(MotionVolume& volume, const CellTest& test, const VolumeSettings& settings)
       : volume_(volume),
         settings_(settings),
-        parted_(settings.width <= kWidestParted || tests.test(0).bodies().has_inside()),
+        parted_(settings.width <= kWidestParted || test.bodies().has_inside()),
         known_(settings.known) {
-    for (std::size_t k = 0; k < std::max<std::size_t>(settings.threads, 1); ++k)
-      searches_.emplace_back(tests);
+    for (std::size_t k = 0; k < std::max<std::size_t>(settings.threads, 1); ++k) searches_.emplace_back(test);
   }
 
   void run() {
@@ -146,19 +145,18 @@ class MotionVolume::Refinement {
   const VolumeSettings& settings_;
   bool parted_;  // are open cells taken apart?
   std::span<const CellVerdict> known_;
-  std::vector<PlaySearch> searches_;
+  std::vector<CellSearch> searches_;
   std::map<int, std::vector<Open>> waiting_;  // open cells by quarter octaves of their share
   std::size_t begun_ = 0;                     // so many of the first list have been split
   double open_ = 0.0;
   std::size_t cells_ = 0;
 };
 
-MotionVolume::MotionVolume(const PlayTests& tests, const VolumeSettings& settings)
-    : play_mm_(tests.play_mm()) {
+MotionVolume::MotionVolume(const CellTest& test, const VolumeSettings& settings) {
   if (!(settings.width > 0.0))
     throw std::invalid_argument(
         "motion volume: the width must be above 0, as 0.01; the cells never end else");
-  Refinement refinement(*this, tests, settings);
+  Refinement refinement(*this, test, settings);
   refinement.run();
   shares_.cells = refinement.cells();
   join(kCertainly);
@@ -183,9 +181,7 @@ VolumeCell MotionVolume::leaf(const RotationCell& cell, std::uint32_t node) cons
           free && (at.reach & kCertainly) != 0,
           (at.reach & kPerhaps) != 0,
           hints_[node],
-          at.part == 0 ? nullptr : &parts_[at.part],
-          free && play_mm_ > 0.0 ? std::optional<Vec3>(play_mm_ * shift_ball(hints_[node].place).middle)
-                                 : std::nullopt};
+          at.part == 0 ? nullptr : &parts_[at.part]};
 }
 
 void MotionVolume::for_each(const std::function<void(const VolumeCell&)>& visit) const {
@@ -250,8 +246,7 @@ bool MotionVolume::meet(const RotationCell& cell, std::uint32_t node, std::size_
 void MotionVolume::join(std::uint8_t bit) {
   const auto counts = [&](std::uint32_t node) {
     const Node& at = nodes_[node];
-    return bit == kCertainly ? (at.state == CellState::free && hints_[node].place == 0) ||
-                                   (at.part != 0 && !parts_[at.part].free.empty())
+    return bit == kCertainly ? at.state == CellState::free || (at.part != 0 && !parts_[at.part].free.empty())
                              : at.state != CellState::blocked;
   };
   DisjointSets sets(nodes_.size());

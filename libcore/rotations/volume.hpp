@@ -13,9 +13,6 @@
 /// Rotations that can be reached from the neutral pose without contact are at least the free cells and parts
 /// that are joined to it, across sides, through free ones; they are at most what is not blocked of the cells
 /// that are joined to it through cells that are not blocked.
-///
-/// With play the ball may be shifted in each rotation (rotations/play.hpp). Bones may touch on the way from
-/// one shift to another, so that only cells that are free without a shift count as surely reached.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +24,6 @@
 
 #include "hip/motion.hpp"
 #include "rotations/cell_test.hpp"
-#include "rotations/play.hpp"
 
 namespace impinge {
 
@@ -69,7 +65,6 @@ struct VolumeCell {
   bool within_reach = false;       // perhaps: joined to it through cells that are not blocked
   CellHint hint;                   // where surfaces may touch, if open or blocked
   const CellPart* part = nullptr;  // its parts, if some are free or blocked; borrowed from the volume
-  std::optional<Vec3> shift;       // mm, a shift of the ball with which the cell is free; none without play
 };
 
 /// The limit of a turn, degrees from its start: every rotation up to low is free, the one at high is blocked.
@@ -83,9 +78,7 @@ class MotionVolume {
  public:
   /// Computes the volume: about 17 us of a core for a cell, with surfaces of 12,000 faces. Throws
   /// std::invalid_argument for a width that is not above 0.
-  MotionVolume(const CellTest& test, const VolumeSettings& settings)
-      : MotionVolume(PlayTests(test), settings) {}
-  MotionVolume(const PlayTests& tests, const VolumeSettings& settings);
+  MotionVolume(const CellTest& test, const VolumeSettings& settings);
 
   const VolumeShares& shares() const { return shares_; }
   /// Calls visit for each cell, cube by cube in the order of their numbers.
@@ -122,7 +115,6 @@ class MotionVolume {
   std::vector<Node> nodes_;      // the four cubes first
   std::vector<CellHint> hints_;  // of each node
   std::vector<CellPart> parts_;  // of open leaves; the first is empty
-  double play_mm_;
   VolumeShares shares_;
 };
 
