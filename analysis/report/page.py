@@ -19,10 +19,11 @@ import os
 from pathlib import Path
 
 import common
+from common import work_precision
 from common.jobs import Job
 from common.loading import LABELS_READ
 from report import claims, explore, judged, origins, outcome, picture, reference, section, turn
-from report.artefacts import by_topic, load_jobs, repeats
+from report.artefacts import TOPICS, by_topic, load_jobs, repeats
 from report.markup import element, fold
 
 HERE = Path(__file__).resolve().parent
@@ -70,8 +71,9 @@ def heading(results: Path, jobs: list[Job]) -> str:
 def topics(results: Path, jobs: list[Job]) -> list[str]:
     """The tables and figures, folded by what they are about. Repeats are linked, so that the page stays small."""
     names = {job.name for job in jobs}
+    said = {next(iter(TOPICS)): "".join(element("p", html.escape(words)) for words in work_precision.sentences(results).values())}
     return [
-        fold(title, "".join(section.section(results, job, REFERENCE, repeats(job, names)) for job in found), "", f"{len(found)} tables and figures")
+        fold(title, said.get(title, "") + "".join(section.section(results, job, REFERENCE, repeats(job, names)) for job in found), "", f"{len(found)} tables and figures")
         for title, found in by_topic(jobs).items()
     ]
 
