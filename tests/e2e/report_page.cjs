@@ -69,6 +69,7 @@ async function exploring(page) {
   assert.notEqual(await title(), first);
   assert.ok(await shown() < before, "a hidden method came back with another axis");
   const scenes = await page.locator("#explore-scene option").count();
+  assert.ok(scenes > 0, "no scene");
   await page.selectOption("#explore-scene", { index: scenes - 1 }); // a real joint, if there is one
   await page.selectOption("#explore-storage", "float");
   assert.ok(await shown() > 0);
