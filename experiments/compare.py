@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What changed between two runs, made by another commit, compiler or machine: experiments/compare.py RUN RUN, two result folders.
 
-Prints on what each was made; the verdicts that differ; the errors above their proven bounds, in either run; how many numbers
+Prints on what each was made; the verdicts and findings that differ, of those that both runs give by the same rule; the errors above their proven bounds, in either run; how many numbers
 of each CSV differ, apart from times; and the ratios of the times, second over first. The spread of a ratio is that of both
 medians: their interquartile ranges, as shares, in quadrature. A ratio that differs from 1 by less than its spread means nothing.
 Rows are compared if both runs have as many and their words agree. Exit code 0 if only times changed, 1 if anything else did, 2
@@ -35,10 +35,12 @@ BOUNDS = {
 }
 SHOWN = 10  # lines of a kind, all of them with --all
 KEYS = ("artefact", "row", "column")
+RULE = ("thesis", "unit", "rule", "tolerance")
+STATEMENT = ("where", "claim")
 
 
 class Run:
-    """A result folder: its verdicts, its CSVs, and what their sidecars say."""
+    """A result folder: its verdicts and findings, its CSVs, and what their sidecars say."""
 
     def __init__(self, folder: Path):
         self.folder = folder
@@ -47,6 +49,10 @@ class Run:
         self.verdicts = {}
         if (folder / "verdicts.csv").is_file():
             self.verdicts = {tuple(row[key] for key in KEYS): row for row in read(folder / "verdicts.csv")}
+        self.findings = {}
+        for kept in (folder / "findings.csv", folder / "tables" / "findings.csv"):  # the first of a run kept as the earlier one
+            if kept.is_file():
+                self.findings = {tuple(row[key] for key in STATEMENT): row for row in read(kept)}
         tables = sorted(folder.glob("data/*.csv"))
         self.records = {table.stem: sidecar(table) for table in tables}
 
@@ -96,13 +102,22 @@ class Report:
 
 
 def changed_verdicts(one: Run, two: Run) -> list[str]:
+    """Of what both judge by the same rule; and what one judges alone."""
     lines = []
     for key in {**one.verdicts, **two.verdicts}:
         before, after = (run.verdicts.get(key, {"verdict": "not there", "measured": ""}) for run in (one, two))
-        if before["verdict"] != after["verdict"]:
+        same_rule = all(before.get(part, "") == after.get(part, "") for part in RULE) or "not there" in (before["verdict"], after["verdict"])
+        if same_rule and before["verdict"] != after["verdict"]:
             measured = f" ({before['measured']} -> {after['measured']})" if before["measured"] != after["measured"] else ""
             lines.append(f"{', '.join(key)}: {before['verdict']} -> {after['verdict']}{measured}")
     return lines
+
+
+def changed_findings(one: Run, two: Run) -> list[str]:
+    """Of the statements of the thesis that both have in the same words."""
+    shared = [key for key in one.findings if key in two.findings]
+    pairs = ((key, one.findings[key]["verdict"], two.findings[key]["verdict"]) for key in shared)
+    return [f"{where}, {claim}: {before} -> {after}" for (where, claim), before, after in pairs if before != after]
 
 
 def beyond_bounds(run: Run, label: str) -> list[str]:
@@ -213,6 +228,7 @@ def main() -> int:
             before, after = (side[key] for side in sides)
             print(f"{key}: {before}" if before == after else f"{key}: {before} -> {after}")
         report.lines("verdicts that changed", changed_verdicts(one, two))
+        report.lines("findings that changed", changed_findings(one, two))
         report.lines(
             "errors above their proven bounds", beyond_bounds(one, "first") + beyond_bounds(two, "second")
         )

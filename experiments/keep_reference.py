@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Keeps verdicts and tables of a finished full run in results/reference/, where the report finds what it shows beside those
-of any other run.
+of any other run. Verdicts and findings of the run that was kept before go to results/reference/earlier/, if it was of another
+day; experiments/compare.py compares the two.
 
 It refuses, with one line that says why, unless the run has the full profile and is complete, every CSV has the bytes that its
 sidecar vouches for, and all of them come from one commit without changes. Standard library only.
@@ -27,6 +28,7 @@ from sidecars import Refused, sidecar  # noqa: E402
 
 MACHINE = ("profile", "commit", "cpu", "cores", "memory_mib", "system", "compiler", "flags")
 KEYS = ("artefact", "row", "column")
+EARLIER = ("verdicts.csv", "tables/findings.csv", "run.json")  # what stays of the run before
 
 
 def outputs_of(build: Path, results: Path) -> list[str]:
@@ -91,8 +93,14 @@ def outcome(verdicts: Path) -> str:
         return tally.said(csv.DictReader(file))
 
 
+def day(reference: Path) -> str:
+    """When the run that is kept began; nothing if there is none."""
+    run = reference / "run.json"
+    return json.loads(run.read_text())["started_utc"][:10] if run.exists() else ""
+
+
 def keep(results: Path, tables: list[str], run: dict, reference: Path) -> None:
-    """Replaces the folder once everything is written; what an older run left in it is removed."""
+    """Replaces the folder once everything is written. What the older run left in it goes to earlier/, or is removed."""
     reference.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=reference.parent, prefix=".reference-") as folder:
         staged = Path(folder)
@@ -100,6 +108,13 @@ def keep(results: Path, tables: list[str], run: dict, reference: Path) -> None:
         for name in ("verdicts.csv", *tables):
             shutil.copyfile(results / name, staged / name)
         (staged / "run.json").write_text(json.dumps(run, indent=2, sort_keys=True) + "\n")
+        if day(reference) not in ("", run["started_utc"][:10]):
+            earlier = reference / "earlier"
+            earlier.mkdir(exist_ok=True)
+            for name in EARLIER:
+                (earlier / Path(name).name).unlink(missing_ok=True)
+                if (reference / name).exists():
+                    shutil.copyfile(reference / name, earlier / Path(name).name)
         if (reference / "tables").exists():
             (reference / "tables").rename(staged / "older")
         for name in ("tables", "verdicts.csv", "run.json"):

@@ -11,6 +11,7 @@ import pandas as pd
 import common
 
 KEYS = ["artefact", "row", "column"]
+RULE = ["thesis", "unit", "rule", "tolerance"]
 
 
 def described(folder: Path) -> str:
@@ -22,6 +23,20 @@ def described(folder: Path) -> str:
     return (
         f"{run['profile']} profile, commit {run['commit'][:12]}, {run['cpu']}, {run['cores']} cores, "
         f"{run['compiler']}, {run['started_utc'][:10]}"
+    )
+
+
+def agreement(folder: Path) -> str:
+    """How far the full run kept before, of another day, gives the same verdicts; empty where none is kept."""
+    earlier = folder / "earlier"
+    if not (earlier / "verdicts.csv").is_file():
+        return ""
+    both = common.as_text(folder / "verdicts.csv").merge(common.as_text(earlier / "verdicts.csv"), on=[*KEYS, *RULE], suffixes=("", "_earlier"))
+    same = (both.verdict == both.verdict_earlier).sum()
+    flips = both[["verdict", "verdict_earlier"]].isin(["reproduced", "differs"]).all(axis=1) & (both.verdict != both.verdict_earlier)
+    return (
+        f"One before it ({described(earlier)}) has the same verdict on {same} of the {len(both)} numbers that both judge by the same rule; "
+        f"{flips.sum()} turn from reproduced to differs or back"
     )
 
 

@@ -28,9 +28,9 @@ class Compare(unittest.TestCase):
             self.data(run, "error_against_time", ERRORS, [["a", 1, 2, 3, 5], ["b", 1, 2, "", 7]])
             self.data(run, "error_against_time_spread", [("method", ""), ("build_iqr_ms", "ms")], [["a", 1], ["b", 1]])
 
-    def verdicts(self, run: Path, verdict: str, measured: str):
+    def verdicts(self, run: Path, verdict: str, measured: str, rule: str = "within 10 %"):
         (run / "data").mkdir(parents=True, exist_ok=True)
-        (run / "verdicts.csv").write_text(f"artefact,row,column,measured,verdict\ntable-5,x,y,{measured},{verdict}\n")
+        (run / "verdicts.csv").write_text(f"artefact,row,column,measured,rule,verdict\ntable-5,x,y,{measured},{rule},{verdict}\n")
 
     def data(self, run: Path, name: str, columns: list[tuple[str, str]], rows: list[list], **record):
         table = run / "data" / f"{name}.csv"
@@ -57,6 +57,20 @@ class Compare(unittest.TestCase):
         found = self.compare()
         self.assertEqual(found.returncode, 1)
         self.assertIn("verdicts that changed: 1\n  table-5, x, y: reproduced -> differs (1.5 -> 1.9)\n", found.stdout)
+
+    def test_a_verdict_by_another_rule(self):
+        self.verdicts(self.runs[1], "differs", "1.9", "within 1 %")
+        self.assertIn("verdicts that changed: none\n", self.compare().stdout)
+
+    def test_a_finding(self):
+        """Of the run kept before, findings.csv is beside its verdicts."""
+        head = "where,claim,verdict\nSection 1,It is so.,"
+        (self.runs[0] / "findings.csv").write_text(head + "holds\nSection 2,Other words.,holds\n")
+        (self.runs[1] / "tables").mkdir()
+        (self.runs[1] / "tables" / "findings.csv").write_text(head + "wrong\nSection 2,Words.,wrong\n")
+        found = self.compare()
+        self.assertEqual(found.returncode, 1)
+        self.assertIn("findings that changed: 1\n  Section 1, It is so.: holds -> wrong\n", found.stdout)
 
     def test_times_and_their_spread_change_no_result(self):
         """Twice the time is beyond a spread of 14 %, five per cent more is not."""

@@ -16,6 +16,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis" / "common"))
+sys.path.insert(0, str(ROOT / "experiments"))
+import compare  # noqa: E402
 from tally import NOT_COUNTED  # noqa: E402
 
 RECORD = {
@@ -108,6 +110,17 @@ class KeepReference(unittest.TestCase):
         run = json.loads((self.reference / "run.json").read_text())
         self.assertEqual((run["commit"], run["started_utc"]), (RECORD["commit"], "2026-01-01T00:00:00Z"))
 
+    def test_run_before(self):
+        """Of another day: its verdicts, findings and record stay in earlier/. Of the same day they do not."""
+        before = {"verdicts.csv": "older\n", "tables/findings.csv": "older findings\n", "run.json": json.dumps({"started_utc": "2025-12-31T09:00:00Z"})}
+        (self.reference / "tables").mkdir()
+        for name, text in before.items():
+            (self.reference / name).write_text(text)
+        for _ in range(2):
+            self.assertEqual(self.keep().returncode, 0)
+            kept = {file.name: file.read_text() for file in (self.reference / "earlier").iterdir()}
+            self.assertEqual(kept, {Path(name).name: text for name, text in before.items()})
+
     def test_other_profile(self):
         self.graph("quick")
         self.assert_refused("quick profile", "experiments/reproduce --full")
@@ -165,6 +178,12 @@ class Kept(unittest.TestCase):
         said = r"of the (\d+) numbers [^.]*? could compare, (\d+) are reproduced, (\d+) differ and (\d+) (?:is a misprint|are misprints)"
         words = re.search(said, readme())
         self.assertEqual([int(word) for word in words.groups()], [sum(counts), *counts])
+
+    def test_earlier_run_agrees(self):
+        """No number reproduced in one full run differs in the other, by the same rule."""
+        kept = ROOT / "results" / "reference"
+        changed = compare.changed_verdicts(compare.Run(kept / "earlier"), compare.Run(kept))
+        self.assertEqual([line for line in changed if re.search("reproduced -> differs|differs -> reproduced", line)], [])
 
     def test_cohort_of_the_readme(self):
         """Internal rotation of all hips, above that of the published controls."""
