@@ -48,6 +48,19 @@ def contacts(results: Path, centre: str = "head") -> pd.DataFrame:
     return table[table.gap_mm.isna() & (table.centre == centre)]
 
 
+def over_centres(results: Path) -> str:
+    """How wide a limit's interval for every centre within half a millimetre is, of generated hips and of real joints."""
+    table = contacts(results)
+    said = []
+    for made, joints in table.groupby(table.joint.isin(GENERATED)):
+        width = (joints.centre_high_deg - joints.centre_low_deg)[joints.state == "limited"].dropna()
+        of = "generated hips" if made else f"{joints.joint.nunique()} real joints"
+        if len(width):
+            ends = f"{common.digits(width.median(), 2)}° wide in the median and {common.digits_up(width.max(), 2)}° at most"
+            said.append(f"in {of} {ends} ({len(width)} of {len(joints)} limits have a proven upper end)")
+    return ", ".join(reversed(said))
+
+
 def text(row) -> str:
     """A limit for a reader: tenths of a degree before which nothing touches; both ends after a graze."""
     if row.state == "free":

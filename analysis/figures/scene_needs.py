@@ -37,7 +37,7 @@ def main(options) -> common.Figure:
         rows = table[table.joint == joint]
         less = 1 / rows[rows.way == "needed"].of_all
         title = limit_time.title(rows)
-        words = f"{title[0].upper()}{title[1:]}. One question takes 1/{less.max():.0f} to 1/{less.min():.0f} of the time of all."
+        words = f"{title.replace('normal', 'Normal', 1)}. One question takes 1/{less.max():.0f} to 1/{less.min():.0f} of the time of all."
         common.note(line[0], words, (0, 1), (-140, 10), xycoords="axes fraction", fontsize=11, fontweight="bold")
     return figure
 

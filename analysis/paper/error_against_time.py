@@ -8,7 +8,7 @@ tightness:least and :median of the latter; matched:TARGET:line, :query_ns, :kib,
 the fastest line of the main scene at that error (um); proven:SCHEME:PRECISION:COLUMN of the head;
 budget:STAGE:max_um of the generated pair at 1 degree;
 euclidean:ZONE:gap_median and :gap_max, the largest over all joints and poses; thousand:WHAT:s and :um of the fastest of the thesis'
-tables, of Embree's rays and of exact cells (WAYS), all gaps of 1,000 poses of the hip; work:embree, work:pays and work:ablation, sentences
+tables, of Embree's rays and of exact cells (WAYS), all gaps of 1,000 poses of the hip; work:embree, work:pays, work:real and work:ablation, sentences
 of common/work_precision.py.
 """
 

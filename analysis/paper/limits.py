@@ -4,12 +4,13 @@
 
 limit:JOINT:MOTION and limit:JOINT:MOTION:clock of first contact; limits:count (with a bracket), :widest (of these, degrees),
 :uncertainty:least and :most (degrees, to first order, of half a millimetre of a surface; 5 % and 95 % of the
-contacts), :interval:median and :most (width of the interval for every centre within half a millimetre, degrees),
-:unbounded (limits without a proven upper end), :hanging (limits that are sensitive to less than that); joints:said, how many real ones; limits:panels, what the figure shows;
+contacts), :centre, how wide the interval for every centre within half a millimetre is, generated hips and real joints apart; :unbounded (limits without a proven upper end), :hanging (limits that are sensitive to less than that); joints:said, how many real ones; limits:panels, what the figure shows;
 phantoms:limits:count, :error (largest, degrees), phantoms:gaps:count and :share (largest error of its bound, per cent).
 """
 
 from pathlib import Path
+
+import pandas as pd
 
 import common
 from common import motion_limits
@@ -35,16 +36,23 @@ def limits(results: Path) -> dict[str, str]:
     interval = limited.centre_high_deg - limited.centre_low_deg
     return found | {
         "joints:said": f"with {real} real joints" if real else "without real joints",
-        "limits:panels": "Left: generated hips; right: real joints." if real else "",
+        "limits:panels": f"Left: generated hips; right: real joints.{odd(table)}" if real else "",
         "limits:count": str(len(brackets)),
         "limits:widest": common.rounded_up(width, 7).rstrip("0").rstrip("."),
         "limits:uncertainty:least": common.digits(limited.surface_deg.quantile(0.05), 2),
         "limits:uncertainty:most": common.digits(limited.surface_deg.quantile(0.95), 2),
-        "limits:interval:median": common.digits(interval.median(), 2),
-        "limits:interval:most": common.digits_up(interval.max(), 2),
+        "limits:centre": motion_limits.over_centres(results),
         "limits:unbounded": str(int(interval.isna().sum())),
         "limits:hanging": str(int(limited.hangs_on_less.sum())),
     }
+
+
+def odd(table: pd.DataFrame) -> str:
+    """What a reader of the figure must know of real joints: which are no hips, and which touch in no motion."""
+    shoulders = [motion_limits.label(joint) for joint in table.joint.unique() if "shoulder" in joint]
+    free = [motion_limits.label(joint) for joint, rows in table.groupby("joint") if (rows.state == "free").all()]
+    said = f" {', '.join(shoulders)}: a shoulder, turned by a hip's motions." if shoulders else ""
+    return said + (f" Without contact in any motion: {', '.join(free)}." if free else "")
 
 
 def phantoms(results: Path) -> dict[str, str]:

@@ -5,7 +5,7 @@
 
 needs:faces (of both surfaces), :least and :most (per cent of the processor time of everything), :memory:least and :most (of its peak
 memory), :looked (faces looked at, per cent, at most); needs:QUESTION:WAY (processor time of another library over that of
-ours); build:core, :one and :all with :targets, :packages and :mb.
+ours), needs:others:memory (peak memory of those for a pose over ours); build:core, :one and :all with :targets, :packages and :mb.
 """
 
 from pathlib import Path
@@ -31,6 +31,9 @@ def facts(results: Path) -> dict[str, str]:
         found |= {f"{name}:least": common.digits(100 * share.min(), 2), f"{name}:most": common.digits(100 * share.max(), 2)}
     for row in rows[~rows.way.isin(["needed", "everything"])].itertuples():
         found[f"needs:{row.question}:{row.way}"] = common.digits(row.times_needed, 2)
+    peers = rows[rows.way.isin(["fcl_collide", "ode_collide", "embree_ray8", "cgal_first_hit"]) & rows.question.isin(["touch", "all gaps"])]
+    memory = peers.peak_bytes / peers.question.map(ours.set_index("question").peak_bytes)
+    found["needs:others:memory"] = f"{common.digits(memory.min(), 2)} to {common.digits(memory.max(), 2)}"
     for name, row in zip(PROGRAMS, pd.read_csv(results / "tables" / "build-needs.csv").itertuples()):
         found |= {f"build:{name}:targets": str(row.targets), f"build:{name}:packages": str(row.packages)}
         found[f"build:{name}:mb"] = common.digits(row.program_MB, 2)

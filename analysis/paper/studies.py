@@ -87,20 +87,28 @@ def replay(results: Path) -> dict[str, str]:
 
 
 def stiff(results: Path) -> dict[str, str]:
-    """stability:families, :cases, :failures (of ours) and :refused; of bounds :held, :broken, :infinite and :unanswered; :withheld
+    """stability:families, :situations (family and magnitude) and :stiff ones, :cases, :wrong (answers of ours, in words) and :refused; :silent, withheld
+    or unbounded answers by class of ours, per cent, and :silent:1 of tables of 1 degree; of bounds :held, :broken, :infinite and :unanswered; :withheld
     look-ups, :unbounded ones; families whose mutation is :noticed; stability:share, the largest error of ours over what its analysis allows, in per cent.
     """
     cases = stability.load(results)
     families = stability.families(results)
     ours = cases[cases.kind == "ours"]
     bounds = stability.bounds(ours)
+    silent = ours.groupby("who")[["silent", "asked"]].sum().loc[stability.OURS]
+    silent = 100 * silent.silent / silent.asked
+    situations = ours.drop_duplicates(["family", "magnitude"])
     in_double = ours[ours.scalar == "double"]
     allowed = in_double.family.map(families.threshold)
     share = (in_double.error_over_condition_u / allowed)[allowed > 0]
     return {
         "stability:families": str(len(families)),
         "stability:cases": f"{len(ours):,}",
-        "stability:failures": str(int(ours.failures.sum())),
+        "stability:situations": str(len(situations)),
+        "stability:stiff": str(int((ours.groupby(["family", "magnitude"]).condition.max() > stability.STIFF).sum())),
+        "stability:silent": ", ".join(f"{common.digits(share, 2)} % ({who})" for who, share in silent.items()),
+        "stability:silent:1": common.digits(silent["tables, 1°"], 2),
+        "stability:wrong": f"{int(ours.failures.sum())} answers were wrong" if ours.failures.sum() else "no answer was wrong",
         **{f"stability:{what}": f"{(bounds == what).sum():,}" for what in ("held", "broken", "infinite", "unanswered")},
         "stability:withheld": f"{int(ours.withheld.sum()):,}",
         "stability:unbounded": f"{int(ours.unbounded.sum()):,}",

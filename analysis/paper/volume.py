@@ -2,7 +2,7 @@
 # @data      motion_volume motion_volume_methods resection_by_cam
 """Numbers of the paper about all rotations at once and the least cut.
 
-volume:JOINT:low and :high, per cent of all rotations, rounded outwards, :cells and :time (s), where the ends are nearest;
+volume:JOINT:low and :high, per cent of all rotations, rounded outwards, :cells and :time (s), at the finest width that most joints have;
 volume:grid, how long FCL would take for a grid with the reach of those cells (extrapolated); volume:asked random poses and
 :against, how many of them contradict their cell; resection:CAM:low and :high (mm3, rounded outwards), :before and :after
 (degrees, down).
@@ -21,7 +21,9 @@ def facts(results: Path) -> dict[str, str]:
 
 def shares(results: Path) -> dict[str, str]:
     """Of every joint."""
-    best = volume.load(results).sort_values("width").groupby("joint", sort=False).first()
+    table = volume.load(results)
+    shared = table.groupby("width").joint.nunique().loc[lambda joints: joints == joints.max()].index.min()
+    best = table[table.width == shared].set_index("joint")  # at the finest width that most joints have
     found = {}
     for joint, row in best.iterrows():
         found |= {

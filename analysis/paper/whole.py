@@ -44,13 +44,16 @@ def limits(every: pd.DataFrame) -> dict[str, str]:
     joints, faces = table.joint.nunique(), " to ".join(dict.fromkeys(f"{size:,}" for size in (table.faces.min(), table.faces.max())))
     made = table.joint.iloc[0].startswith(MADE)
     longer = f"FCL in steps of {fine.step_deg.iloc[0]:g}° takes {span(fine.times_ours)} times as long"
+    rough = f"in steps of {coarse.step_deg.iloc[0]:g}° {span(coarse.times_ours)} times"
+    lost = f"which miss {coarse.missed.sum() or 'none'} of these {coarse.asked.sum()} contacts"
     return {
         "whole:scene": f"a generated hip of {faces} faces" if made else f"the whole bones of {joints} real joints of {faces} faces",
         "whole:motions": str(ours.motions.max()),
         "whole:ours": f"{span(ours.total_ms / 1e3)} s",
-        "whole:steps": f"{longer}.",
+        "whole:steps": f"{longer}, {rough}, {lost}.",
         "whole:all": f"From meshes to limits ours takes {span(ours.total_ms / 1e3)} s, with the interval for every centre {span(ranges.total_ms / 1e3)} s. "
-        f"{longer}, in steps of {coarse.step_deg.iloc[0]:g}° {span(coarse.times_ours)} times; {missed(fcl)}. {agreed(ours, fine)} "
+        f"{longer}, {rough}; {missed(fcl)}. {agreed(ours, fine)} "
+        f"{of_cropped(every)} "
         f"{of_made(every, 'needle', 'On a needle that passes thin spikes,')} {of_made(every, 'implant', 'On an implant, whose head and cup are close all round,')}",
     }
 
@@ -76,6 +79,14 @@ def of_made(every: pd.DataFrame, begins: str, words: str) -> str:
     return f"{words} {missed(rows) if rows.missed.any() else takes}."
 
 
+def of_cropped(every: pd.DataFrame) -> str:
+    """The coarsest steps on the generated hip, which is small."""
+    rows = every[every.joint.str.startswith("normal hip")]
+    coarse = rows[rows.step_deg == rows.step_deg.max()]
+    ways = [f"{row.line.split(',')[0]} {common.digits(row.times_ours, 2)} times as long as ours, missing {int(row.missed) or 'none'}" for row in coarse.itertuples()]
+    return f"On the cropped generated hip, of {int(rows.faces.iloc[0]):,} faces, such steps take: {'; '.join(ways)}." if ways else ""
+
+
 WIDTH = 0.05  # of all rotations, that may stay open
 
 
@@ -91,14 +102,16 @@ def shares(results: Path) -> str:
 
 def touch(results: Path) -> str:
     """Poses a second, over FCL's."""
-    table = of_whole(common.load(results, "touch_time"))
+    every = common.load(results, "touch_time")
+    table = of_whole(every)
     rows = table[table.method == "body_pairs"].sort_values("rate_over_fcl")
-    ends = [f"{common.digits(row.rate_over_fcl, 2)} ({row.state}, {row.poses})" for row in (rows.iloc[0], rows.iloc[-1])]
+    hip = every[(every.method == "body_pairs") & every.joint.str.startswith("normal hip")].sort_values("rate_over_fcl")
+    ends, small = ([f"{common.digits(row.rate_over_fcl, 2)} ({row.state}, {row.poses})" for row in (of.iloc[0], of.iloc[-1])] for of in (rows, hip))
     wrong = int(table.otherwise.sum())
     same = "All answers are those of CGAL's exact signs" if wrong == 0 else f"{wrong} answers are not those of CGAL's exact signs"
     return (
         f"Ours decides between {ends[0]} and {ends[1]} times as many a second as FCL's trees of boxes, in the median {common.digits(rows.rate_over_fcl.median(), 2)} times as "
-        f"many. {same}."
+        f"many; on the cropped generated hip between {small[0]} and {small[1]} times. Trees are made before; {rows['count'].min()} poses of each kind. {same}."
     )
 
 

@@ -103,8 +103,14 @@ def turning(results: Path) -> str:
     table = limit_time.load(results)
     ours = table[table.method == limit_time.OURS[0]].nlargest(1, "faces").iloc[0]
     steps = table[~table.method.isin(limit_time.OURS)]
+    beside = steps[steps.joint == ours.joint].nlargest(1, "step_deg").iloc[0]
     worst = steps.loc[(steps.missed / steps.asked).idxmax()]
-    missing = f"{html.escape(worst.line.split(',')[0])} in steps of {worst.step_deg:g}° misses up to {int(worst.missed)} of {int(worst.asked)}"
+    missing = (
+        f"{html.escape(beside.line.split(',')[0])} in steps of {beside.step_deg:g}° takes {common.digits(beside.times_ours, 2)} times as long and misses"
+        f" {int(beside.missed) or 'none'} here"
+    )
+    if worst.joint != ours.joint and worst.missed:
+        missing += f"; of {html.escape(worst.joint)}, {html.escape(worst.line.split(',')[0])} in steps of {worst.step_deg:g}° misses {int(worst.missed)} of {int(worst.asked)}"
     phantoms = common.load(results, "phantoms")
     error = phantoms.error[phantoms.quantity.str.startswith("limit")].abs().max()
     return element("h2", "Range of motion") + element(
@@ -121,14 +127,18 @@ def stable(results: Path) -> str:
     found = stability.overview(cases).reset_index()
     mine = found.who.isin(stability.OURS)
     ours, others = found[mine], found[~mine]
+    silent = ours.groupby("who")[["silent", "asked"]].sum().loc[stability.OURS]
+    withheld = ", ".join(f"{who} {common.digits(100 * row.silent / row.asked, 2)} %" for who, row in silent.iterrows())
     bounds = stability.bounds(cases[cases.kind == "ours"]).value_counts()
     asked, failing = (rows.groupby("who").family.nunique() for rows in (others, others[others.wrong > 0]))
     unnamed = {*stability.STEPS.values(), stability.OTHERS["radius_as_eq_11"]}  # not methods of anybody
     named = ", ".join(f"{who.replace(', ', ' ')} in {count} of {asked[who]}" for who, count in failing.sort_values(ascending=False).items() if who not in unnamed)
+    never = [who for who in asked.index if who not in failing.index and who not in unnamed]
     said = (
-        f"{found.family.nunique()} families of cases, from harmless to extreme. Of {ours.asked.sum():,} answers of ours {ours.wrong.sum()} are wrong and"
-        f" {common.digits(100 * ours.silent.sum() / ours.asked.sum(), 2)} % are withheld; of {bounds.sum():,} bounds {bounds.get('broken', 0)} broke and"
-        f" {bounds.get('held', 0):,} held, and the others say nothing. Families in which others fail: {named}."
+        f"{found.family.nunique()} families of cases, from harmless to extreme. Of {ours.asked.sum():,} answers of ours {ours.wrong.sum()} are wrong; withheld are"
+        f" of {withheld}. Of {bounds.sum():,} bounds {bounds.get('broken', 0)} broke and"
+        f" {bounds.get('held', 0):,} held, and the others say nothing. Families in which others fail: {named}"
+        + (f"; in none {', '.join(never)}." if never else ".")
     )
     return (
         element("h2", "Stiff and extreme cases")
@@ -170,13 +180,11 @@ def to_check() -> str:
 
 def limits(results: Path) -> str:
     """What it does not do, and what an answer hangs on."""
-    table = motion_limits.contacts(results)
-    interval = (table.centre_high_deg - table.centre_low_deg)[table.state == "limited"]
     texts = [
         "Gaps run along rays from the centre of rotation. Where a surface is oblique they exceed the shortest distance, which is bounded"
         " apart; of a surface that a ray meets twice only one layer counts.",
-        "Limits of motion hold for the centre of rotation that is given. Over all centres within 0.5 mm of it a limit here has a range of"
-        f" {common.digits(interval.median(), 2)}° in the median, and of {common.digits_up(interval.max(), 2)}° at most.",
+        "Limits of motion hold for the centre of rotation that is given. The range of a limit over all centres within 0.5 mm of it is"
+        f" {motion_limits.over_centres(results)}.",
         "Errors and bounds are those of computing, not of the scan, its segmentation or the mesh. Cartilage is a thickness that does not"
         " deform; there are no ligaments, muscles or other soft tissue.",
         "The hips of this page are generated unless a real joint is named, and the thesis' two patients are stand-ins: their scans are not"
