@@ -25,7 +25,7 @@ struct ReportParts {
   std::string limits{};
   std::string volume{};
   std::string measures{};
-  std::string program{};      // that makes it, as "impinge 0.3.0, commit 01234567"
+  std::string program{};      // that makes it, as "impinge 0.4.0, commit 01234567"
   std::string_view viewer{};  // kReportViewer; without it no bones are drawn
 };
 
