@@ -107,16 +107,16 @@ def turning(results: Path) -> str:
     worst = steps.loc[(steps.missed / steps.asked).idxmax()]
     missing = (
         f"{html.escape(beside.line.split(',')[0])} in steps of {beside.step_deg:g}° takes {common.digits(beside.times_ours, 2)} times as long and misses"
-        f" {int(beside.missed) or 'none'} here"
+        f" {int(beside.missed) or 'none'}"
     )
     if worst.joint != ours.joint and worst.missed:
-        missing += f"; of {html.escape(worst.joint)}, {html.escape(worst.line.split(',')[0])} in steps of {worst.step_deg:g}° misses {int(worst.missed)} of {int(worst.asked)}"
+        missing += f", but {int(worst.missed)} of {int(worst.asked)} of a {html.escape(worst.joint)}"
     phantoms = common.load(results, "phantoms")
     error = phantoms.error[phantoms.quantity.str.startswith("limit")].abs().max()
     return element("h2", "Range of motion") + element(
         "p",
-        f"{ours.motions} limits of motion of a joint of {int(ours.faces):,} faces ({html.escape(ours.joint)}) take"
-        f" {common.digits(ours.total_ms, 2)} ms together, building included, and miss no contact; {missing}."
+        f"{ours.motions} limits of motion of {html.escape(ours.joint)} ({int(ours.faces):,} faces) take"
+        f" {common.digits(ours.total_ms, 2)} ms, from meshes, and miss no contact; {missing}."
         f" Limits known in closed form are met within {common.digits_up(error, 2)}°. " + element("a", "By method", href="#limit-time") + ".",
     )
 
