@@ -32,6 +32,8 @@ def totals(verdicts: pd.DataFrame, results: Path) -> str:
     """How often each verdict was given, each number of the thesis once."""
     rows = verdict.counted(verdicts)
     found = rows.verdict.value_counts()
+    record = common.sidecar(min((results / "data").glob("*.csv")))
+    run = f"{record['profile']} run, {record['cores']} cores"
     tiles = "".join(
         element("li", f"<b>{found[name]}</b> {element('span', name, class_=f'verdict {name}')}<br>{MEANINGS[name]}")
         for name in MARKS
@@ -48,7 +50,7 @@ def totals(verdicts: pd.DataFrame, results: Path) -> str:
     links = {"What differs": "differing", "statements": "findings", "all verdicts": "verdicts-all"}
     compared = sum(found.get(name, 0) for name in COMPARED)
     return (
-        element("h2", f"Reproduced: {found.get('reproduced', 0)} of the {compared} numbers of the thesis that can be compared")
+        element("h2", f"Reproduced: {found.get('reproduced', 0)} of the {compared} numbers of the thesis that can be compared ({run})")
         + element("ul", tiles, class_="totals")
         + element(
             "p",
