@@ -118,7 +118,8 @@ class Claims:
             for name, _, *told in said:
                 row = " & ".join([f"\\texttt{{{latex(name)}}} ({latex(path.stem)})", *map(latex, told)]) + r" \\"
                 rows[path.relative_to(ROOT / "libcore").parts[0] in ("sphere", "table")].append(row)
-        lines = [f"% Made by {Path(__file__).relative_to(ROOT)} --write.", r"\iftables\newcommand{\roundingrows}{%", *dict.fromkeys(rows[True]),
+        lines = ["% SPDX-License-Identifier: GPL-3.0-or-later", f"% Made by {Path(__file__).relative_to(ROOT)} --write.",
+                 r"\iftables\newcommand{\roundingrows}{%", *dict.fromkeys(rows[True]),
                  r"}\else\newcommand{\roundingrows}{%", *dict.fromkeys(rows[False]), r"}\fi"]
         return "\n".join(lines) + "\n"
 
