@@ -2,7 +2,6 @@
 // Makes a joint from files, arrays or parameters.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <concepts>
 #include <filesystem>
 #include <functional>
@@ -101,10 +100,7 @@ SharedJoint with_warnings(SharedJoint joint) {
 }
 
 py::tuple arrays_of(const TriangleMesh& mesh) {
-  const auto rows = [](const auto& list) { return static_cast<py::ssize_t>(list.size()); };
-  return py::make_tuple(
-      py::array_t<double>({rows(mesh.vertices), py::ssize_t{3}}, mesh.vertices.front().data()),
-      py::array_t<std::uint32_t>({rows(mesh.faces), py::ssize_t{3}}, mesh.faces.front().data()));
+  return py::make_tuple(array_of<double>(mesh.vertices), array_of<std::uint32_t>(mesh.faces));
 }
 
 // Landmarks as points. A file is read here, since the joint may be made again on another machine.
@@ -137,10 +133,7 @@ SharedJoint joint_of_meshes(const JointInput& input, const Placed& placed) {
   const Joint& joint = made->joint().joint;
   py::object cartilage = py::none();
   if (const auto& map = joint.cartilage)
-    cartilage =
-        py::make_tuple(py::array_t<double>({static_cast<py::ssize_t>(map->directions.size()), py::ssize_t{3}},
-                                           map->directions.front().data()),
-                       map->thickness);
+    cartilage = py::make_tuple(array_of<double>(map->directions), map->thickness);
   made->made_of =
       py::make_tuple(state_of(input.ball), state_of(input.socket), placed.side, placed.axes, placed.centre,
                      as_dict(placed.landmarks, placed.axes), joint.overlap_mm, placed.said, cartilage);
@@ -265,10 +258,9 @@ SharedJoint joint_of_given(const Given& ball, const Given& socket, const std::op
 
 // A parameter as text, as on the command line.
 std::string setting_of(const std::string& name, const py::handle& value) {
-  if (py::isinstance<py::str>(value)) return name + "=" + value.cast<std::string>();
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value.cast<double>()).ptr;
-  return name + "=" + std::string(text, end);
+  const py::str text =
+      py::isinstance<py::str>(value) ? py::str(value) : py::str(py::float_(value.cast<double>()));
+  return name + "=" + text.cast<std::string>();
 }
 
 SharedJoint joint_of_hip(const std::string& preset, std::size_t faces, const py::kwargs& changes) {
