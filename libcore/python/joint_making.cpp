@@ -62,10 +62,6 @@ struct Placed {
   std::function<CartilageMap(const Vec3& centre)> cartilage{};
 };
 
-JointNames names_of(const JointInput& input) {
-  return {input.ball.name, input.socket.name, input.ball.part_names, input.socket.part_names};
-}
-
 SharedJoint joint_of(JointInput input, const Placed& placed) {
   input.axes = placed.axes;
   if (placed.side) input.side = parse_side(*placed.side);
@@ -90,17 +86,7 @@ SharedJoint joint_of(JointInput input, const Placed& placed) {
   input_to_joint(input.axes);
   return std::make_shared<PoseJoint>(
       placed.overlap_mm ? made(*placed.overlap_mm) : without_rest_contact(made, "ignore_rest_contact"),
-      names_of(input));
-}
-
-// Issues the joint's warnings, since a user's meshes may be wrong.
-SharedJoint with_warnings(SharedJoint joint) {
-  for (const std::string& line : joint->joint().joint.warnings) warn(line);
-  return joint;
-}
-
-py::tuple arrays_of(const TriangleMesh& mesh) {
-  return py::make_tuple(array_of<double>(mesh.vertices), array_of<std::uint32_t>(mesh.faces));
+      JointNames{input.ball.name, input.socket.name, input.ball.part_names, input.socket.part_names});
 }
 
 // Landmarks as points. A file is read here, since the joint may be made again on another machine.
@@ -124,7 +110,9 @@ py::tuple state_of(const NamedMesh& bone) {
   py::list parts;
   for (const MeshPart& part : bone.parts)
     parts.append(py::make_tuple(part.name, part.first_vertex, part.first_face, part.of_main));
-  return py::make_tuple(bone.name, arrays_of(bone.mesh), parts, bone.part_names);
+  const py::tuple mesh =
+      py::make_tuple(array_of<double>(bone.mesh.vertices), array_of<std::uint32_t>(bone.mesh.faces));
+  return py::make_tuple(bone.name, mesh, parts, bone.part_names);
 }
 
 // Makes a joint that remembers what it was made of.
@@ -253,7 +241,9 @@ SharedJoint joint_of_given(const Given& ball, const Given& socket, const std::op
   if constexpr (std::same_as<Given, File>) placed.axes = agreed_axes(ball, socket, axes, "axes=").code;
   placed.cartilage = cartilage_of(cartilage_map);
   placed.overlap_mm = ignore_rest_contact ? std::nullopt : std::optional(overlap_mm);
-  return with_warnings(joint_of_meshes(input, placed));
+  SharedJoint joint = joint_of_meshes(input, placed);
+  for (const std::string& line : joint->joint().joint.warnings) warn(line);  // a user's meshes may be wrong
+  return joint;
 }
 
 // A parameter as text, as on the command line.
