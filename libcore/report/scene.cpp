@@ -68,8 +68,7 @@ Json joint_of(const SessionJoint& joint) {
   std::vector<float> hours;
   if (joint.dial) {
     for (const RimPoint& at :
-         rim_line(in_joint_frame(joint, main_surface(joint.joint.socket.mesh, joint.joint.socket.parts)),
-                  *joint.dial, kRimSectors)) {
+         rim_line(in_joint_frame(joint, joint.joint.socket.main()), *joint.dial, kRimSectors)) {
       rim.emplace_back(joint.axes.transpose() * at.place);
       hours.push_back(static_cast<float>(at.hours));
     }
