@@ -116,9 +116,10 @@ class NeededWork : public ::testing::Test {
  protected:
   static void expect_same(const BallSocketPair& joint, double precision, const std::vector<Pose>& poses) {
     const std::vector<PoseGaps> gaps = scans<S>(joint, poses, precision);
+    const AnyScheme scheme(S::name, precision);
     for (std::size_t p = 0; p < poses.size(); ++p) {
       for (const SceneNeeds& needs : all_needs(poses[p])) {
-        const SceneAnswer found = answer_by_table(joint, needs, AnyScheme(S::name, precision));
+        const SceneAnswer found = answer_by_table(joint, needs, scheme);
         EXPECT_TRUE(same(found, answer_in(gaps[p], needs)))
             << S::name << " at " << precision << " degrees, question " << static_cast<int>(needs.question)
             << (needs.ball ? ", ball" : "") << (needs.socket ? ", socket" : "");
@@ -170,18 +171,18 @@ TEST(NeededWorkOf, AJointIsASmallPartOfAllWork) {
     EXPECT_LT(answer_by_table(joint, {.pose = pose}, scheme).entries, scheme.size() / 2);
     const SceneAnswer found =
         answer_by_table(joint, {.question = Question::smallest_gap, .pose = pose}, scheme);
-    EXPECT_LT(found.look_ups, all / 10);
+    EXPECT_LT(found.look_ups, all / 2);
     EXPECT_LT(found.entries, scheme.size() / 20);
     ASSERT_EQ(found.left_out.size(), 4U) << "entries and vertices of both scans";
   }
 }
 
-// Mutants: what leaves out more than it may is seen by the comparison. The ball is one face, so that no other
-// vertex is as near in the place of one that is missed.
+// Mutants: what leaves out more than it may is seen by the comparison. The ball is one face, whose first
+// vertex is the nearest but for the dents.
 TEST(NeededWorkOf, ANarrowerMarginOrFewerEntriesAreNotEnough) {
   const AnyScheme scheme("rsid", 15.0);
   BallSocketPair joint = dented(Rsid::with_precision(15.0), 5000);
-  joint.ball = {{{23.0, 0.0, 0.0}, {23.0, 0.5, 0.0}, {23.0, 0.0, 0.5}}, {{0, 1, 2}}};
+  joint.ball = {{{23.0, 0.0, 0.0}, {22.9, 0.5, 0.0}, {22.9, 0.0, 0.5}}, {{0, 1, 2}}};
   const std::vector<Pose> turns = test::random_poses(300, 3.0, 0.3, 34);
   const std::vector<PoseGaps> gaps = scans<Rsid>(joint, turns, 15.0);
   const NearFaces narrow(joint.socket, 0.0);
