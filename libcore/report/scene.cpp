@@ -69,8 +69,8 @@ DrawnRim drawn_rim(const SessionJoint& joint) {
   constexpr std::size_t kRimSectors = 96;
   DrawnRim rim;
   if (!joint.dial) return rim;
-  const TriangleMesh socket = main_surface(joint.joint.socket.mesh, joint.joint.socket.parts);
-  for (const RimPoint& at : rim_line(in_joint_frame(joint, socket), *joint.dial, kRimSectors)) {
+  for (const RimPoint& at :
+       rim_line(in_joint_frame(joint, joint.joint.socket.main()), *joint.dial, kRimSectors)) {
     rim.places.emplace_back(joint.axes.transpose() * at.place);
     rim.hours.push_back(static_cast<float>(at.hours));
   }
