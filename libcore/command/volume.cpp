@@ -22,7 +22,7 @@ namespace impinge {
 namespace {
 
 // Version of the test and order of cells; verdicts of another version are not taken.
-constexpr const char* kVerdicts = "volume 4";
+constexpr const char* kVerdicts = "volume 5";
 
 // Verdicts of an interrupted run, as bytes: four words each, and a fifth that belongs to this place, question
 // and version. From the first that does not match, everything is worked out again.
@@ -111,7 +111,22 @@ std::shared_ptr<TemporaryFile> write_cells(const std::filesystem::path& path, co
   return file;
 }
 
-std::string words_of_volume(const VolumeAnswer& found, double width) {
+// Why the width may be out of reach; empty where it is not.
+std::string never_decided(const SessionJoint& joint, const BodyPairs& bodies) {
+  const auto pair = bodies.without_inside();
+  if (!pair) return {};
+  const auto named = [](const JointPart& of, std::size_t body, const char* bone) {
+    const std::string part = body_name(of.parts, body);
+    return part.empty() ? std::string(bone) : part;
+  };
+  return "openings leave it open what is inside of " +
+         named(joint.joint.ball, pair->ball, "the ball's bone") + " and of " +
+         named(joint.joint.socket, pair->socket, "the socket's bone") +
+         ": rotations in which these meet stay undecided; close the openings, or crop both meshes to the "
+         "joint";
+}
+
+std::string words_of_volume(const VolumeAnswer& found, double width, const std::string& why) {
   const VolumeShares& shares = found.shares();
   std::string text = formatted("free                %.2f to %.2f %% of all rotations", 100.0 * shares.low(),
                                100.0 * shares.high());
@@ -126,7 +141,8 @@ std::string words_of_volume(const VolumeAnswer& found, double width) {
                     100.0 * shares.reached(), 100.0 * shares.within_reach());
   if (shares.open > width)
     text += formatted("undecided           %.2f %%: more than was wanted, after %zu cells\n",
-                      100.0 * shares.open, shares.cells);
+                      100.0 * shares.open, shares.cells) +
+            (why.empty() ? "" : "                    " + why + "\n");
   return text;
 }
 
@@ -160,8 +176,10 @@ VolumeAnswer refined(Session& session, const VolumeRequest& request, const Work&
 
 Told tell_volume(Session& session, const VolumeRequest& request, const Work& work) {
   Told told{};
+  const std::string why = never_decided(*session.joint, session.joint->bodies());
+  if (!why.empty()) work.say(why);
   const VolumeAnswer found = refined(session, request, work, told);
-  told.words = words_of_volume(found, request.width);
+  told.words = words_of_volume(found, request.width, why);
   told.document = json_of(found);
   for (const char* share : {"share_low", "share_high", "reachable_low", "reachable_high", "unknown", "open"})
     told.row_of_one.push_back({share, std::string("/") + share});

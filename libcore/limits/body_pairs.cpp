@@ -30,6 +30,7 @@ constexpr double kLidRounding = 1e-6;   // boxes of openings are grown by this s
 constexpr double kWidestHole = 0.1;  // an opening of a larger share of a body's size, or area, makes a sheet
 constexpr double kFlat = 0.1;        // an opening is flat if it is no thicker than this share of its length
 constexpr int kRays = 16;            // rays that are asked whether a point is inside
+constexpr std::size_t kMostLeft = 256;  // pairs of nodes of two bodies that left() stops at
 
 // Evenly over all directions, none of them along an axis or a diagonal.
 std::array<Vec3, kRays> ways_out() {
@@ -323,6 +324,14 @@ bool BodyPairs::closed() const {
   return all_closed(ball_) && all_closed(socket_);
 }
 
+std::optional<BodyPairs::Pair> BodyPairs::without_inside() const {
+  const auto found = std::ranges::find_if(pairs_, [&](const Pair& pair) {
+    return !(main_only_ && is_main(pair)) && !ball_[pair.ball]->has_inside() &&
+           !socket_[pair.socket]->has_inside();
+  });
+  return found == pairs_.end() ? std::nullopt : std::optional(*found);
+}
+
 // ask(pair) gives a verdict. Returns the first yes, else the first unknown, else no.
 template <class Ask>
 BodyPairs::Verdict BodyPairs::first_of(const Ask& ask) const {
@@ -377,7 +386,9 @@ std::optional<BodyPairs::Nearest> BodyPairs::nearest_part(const Pose& pose) cons
 }
 
 // If the surfaces meet in none of these poses: may a point of one be inside the other in one of them?
-bool BodyPairs::may_hold(const Body& ball, const Body& socket, const NearPoses& poses) {
+bool BodyPairs::may_hold(const Pair& pair, const NearPoses& poses) const {
+  const Body& ball = *ball_[pair.ball];
+  const Body& socket = *socket_[pair.socket];
   const auto farthest = [&](const Body& body) {
     const double way = body.faces().empty() ? 0.0 : body.faces().nodes()[0].farthest;
     return 2.0 * way * std::sin(0.5 * std::min(poses.turn, kPi)) * (1.0 + kNodeRounding) + poses.shift_mm;
@@ -389,10 +400,13 @@ bool BodyPairs::may_hold(const Body& ball, const Body& socket, const NearPoses& 
          ball.holds_of(socket, farthest(socket), back) != Contact::no;
 }
 
+// Calls meet(near, asked, k) for the kth pair until it is true, or a point may be inside.
 template <class Meet>
-std::optional<BodyPairs::Pair> BodyPairs::first_that(const NearPoses& poses, bool by_radii,
+std::optional<BodyPairs::Pair> BodyPairs::first_that(const NearPoses& poses, bool by_radii, const Left& left,
                                                      const Meet& meet) const {
-  for (const Pair& pair : pairs_) {
+  const NodePairs all{{0, 0}};
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const Pair& pair = pairs_[k];
     if (by_radii && main_only_ && is_main(pair)) continue;
     const Body& ball = *ball_[pair.ball];
     const Body& socket = *socket_[pair.socket];
@@ -400,26 +414,35 @@ std::optional<BodyPairs::Pair> BodyPairs::first_that(const NearPoses& poses, boo
     if (by_radii && is_main(pair) && !ball.of_main.empty())
       told = [&](std::uint32_t a, std::uint32_t b) { return ball.of_main[a] && socket.of_main[b]; };
     const NearBodies near(poses, is_main(pair) ? 0.0 : poses.gap_mm);
-    if (meet(near, ball.faces(), socket.faces(), told) || may_hold(ball, socket, poses)) return pair;
+    if (meet(near, NearBodies::Asked{ball.faces(), socket.faces(), told, left.empty() ? all : left[k]}, k))
+      return pair;
   }
   return std::nullopt;
 }
 
-std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses, bool by_radii) const {
-  return first_that(poses, by_radii,
-                    [](const NearBodies& near, const SweptParts& ball, const SweptParts& socket,
-                       const NearBodies::Told& told) { return near.may_meet(ball, socket, told); });
+BodyPairs::Left BodyPairs::left(const NearPoses& poses, bool by_radii) const {
+  Left found(pairs_.size());
+  first_that(poses, by_radii, {}, [&](const NearBodies& near, const NearBodies::Asked& asked, std::size_t k) {
+    found[k] = near.left(asked, kMostLeft);
+    return false;
+  });
+  return found;
 }
 
-std::optional<std::vector<ClosePair>> BodyPairs::close(const NearPoses& poses, bool by_radii,
-                                                       std::size_t most) const {
-  std::vector<ClosePair> found;
-  if (first_that(
-          poses, by_radii,
-          [&](const NearBodies& near, const SweptParts& ball, const SweptParts& socket,
-              const NearBodies::Told& told) { return !near.find_close(ball, socket, told, most, found); }))
-    return std::nullopt;
-  return found;
+std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses, bool by_radii,
+                                                   const Left& left) const {
+  return first_that(poses, by_radii, left,
+                    [&](const NearBodies& near, const NearBodies::Asked& asked, std::size_t k) {
+                      return near.may_meet(asked) || may_hold(pairs_[k], poses);
+                    });
+}
+
+bool BodyPairs::each_close(const NearPoses& poses, bool by_radii, const TakeClose& take,
+                           const Left& left) const {
+  return !first_that(poses, by_radii, left,
+                     [&](const NearBodies& near, const NearBodies::Asked& asked, std::size_t k) {
+                       return !near.each_close(asked, take) || may_hold(pairs_[k], poses);
+                     });
 }
 
 void BodyPairs::find_inner_balls(const BallSocketPair& main, bool by_radii) {
@@ -435,8 +458,8 @@ void BodyPairs::find_inner_balls(const BallSocketPair& main, bool by_radii) {
         return least;
       };
       const auto holds = [&](const Vec3& x) { return body->holds(x) == Contact::yes; };
-      body->inner = InnerBalls(
-          body->faces(), {body->sheet && body->wound == 0 ? nullptr : BodyInside::Holds(holds), to_opening});
+      body->inner =
+          InnerBalls(body->faces(), {body->has_inside() ? BodyInside::Holds(holds) : nullptr, to_opening});
     }
   });
 }

@@ -85,6 +85,9 @@ class BodyPairs {
   const CulledJoint* radial() const { return radial_ ? &radial_->joint : nullptr; }
   /// Is no body open?
   bool closed() const;
+  /// Two bodies, not both main surfaces alone, of neither of which it is known what is inside: that they are
+  /// in contact in all of many poses cannot be shown. None if there are no two.
+  std::optional<Pair> without_inside() const;
   /// Does the ball's mesh end where its bone goes on?
   bool ball_ends() const { return main_only_ && !ball_[0]->openings.empty(); }
   /// Are any bodies in contact? Exact, for the ball's vertices as the pose rounds them.
@@ -99,12 +102,16 @@ class BodyPairs {
   /// The two bodies whose surfaces are nearest to each other (contact/part_distance.hpp), among pairs with at
   /// least one part; none where there is no part.
   std::optional<Nearest> nearest_part(const Pose& pose) const;
+  /// For each pair of bodies the nodes of faces that may meet in some poses. Empty: all may.
+  using Left = std::vector<NodePairs>;
+  /// Which faces may meet in some of the poses? Questions about poses that are all among these are quicker
+  /// with it. by_radii: the caller decides about the main surfaces by radii, and they are not asked about.
+  Left left(const NearPoses& poses, bool by_radii) const;
   /// Two bodies that may be in contact in one of the poses; std::nullopt proves that no two are, in any pose.
-  /// by_radii: the caller decides about the main surfaces by radii, and they are not asked about here.
-  std::optional<Pair> may_meet(const NearPoses& poses, bool by_radii = false) const;
-  /// All pairs of faces that may meet in one of the poses, if the bodies are proven to be apart in the middle
-  /// pose; none if they are not, or if there are more than `most` pairs.
-  std::optional<std::vector<ClosePair>> close(const NearPoses& poses, bool by_radii, std::size_t most) const;
+  std::optional<Pair> may_meet(const NearPoses& poses, bool by_radii = false, const Left& left = {}) const;
+  /// Calls take() for the pairs of faces that may meet in one of the poses (NearBodies::each_close()). True
+  /// if the bodies are proven to be apart in the middle pose, and in all poses in which no such pair meets.
+  bool each_close(const NearPoses& poses, bool by_radii, const TakeClose& take, const Left& left = {}) const;
   /// Makes overlap() and deepest() ready, which takes a while. `main` as given to the constructor, `by_radii`
   /// as these will be asked.
   void find_inner_balls(const BallSocketPair& main, bool by_radii = false);
@@ -144,9 +151,10 @@ class BodyPairs {
     std::vector<Opening> openings;
     TurnBody lids;  // the boxes of the openings, if the body is no sheet
     bool sheet = false;
-    int wound = 0;              // of a main sheet: 1, or -1 if its normals point into the bone
-    std::vector<Vec3> pieces;   // a vertex of each connected piece
-    bool hollow = false;        // a closed socket round the centre: bone is outside of it
+    int wound = 0;             // of a main sheet: 1, or -1 if its normals point into the bone
+    std::vector<Vec3> pieces;  // a vertex of each connected piece
+    bool hollow = false;       // a closed socket round the centre: bone is outside of it
+    bool has_inside() const { return !alone && (!sheet || wound != 0); }
     std::vector<bool> of_main;  // for each node of faces: are they all of the main surface, and none edge-on?
     InnerBalls inner;
     Contact holds(const Vec3& x) const;
@@ -171,9 +179,10 @@ class BodyPairs {
   Verdict verdict(const Pair& pair, const Pose& pose) const;
   template <class Ask>
   Verdict first_of(const Ask& ask) const;
-  static bool may_hold(const Body& ball, const Body& socket, const NearPoses& poses);
+  bool may_hold(const Pair& pair, const NearPoses& poses) const;
   template <class Meet>
-  std::optional<Pair> first_that(const NearPoses& poses, bool by_radii, const Meet& meet) const;
+  std::optional<Pair> first_that(const NearPoses& poses, bool by_radii, const Left& left,
+                                 const Meet& meet) const;
   template <class Visit>
   bool any_near(const NearPoses& poses, bool by_radii, const Visit& visit) const;
   template <class Visit>

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -21,6 +23,7 @@ constexpr double kSquared = 1e-13;  // share of the square of a length
 constexpr double kTouches = 1e-6;   // share of a ball's radius by which it may reach beyond the surface
 constexpr double kLeastArm = 0.1;   // mm, added to an arm that a distance is divided by
 constexpr int kMostShrinks = 30;    // of one ball
+constexpr std::size_t kWays = 3;    // directions that are tried for two faces
 
 double farthest(const TurnFace& face) {
   return std::sqrt(
@@ -66,87 +69,112 @@ double NearBodies::most_along(const Vec3& n, const Vec3& p) const {
 }
 
 // Does a plane across unit n keep the two faces apart in all of the poses?
-bool NearBodies::apart_along(const Vec3& n, const TurnFace& moved, const TurnFace& face) const {
+bool NearBodies::apart_along(const Vec3& n, const TurnFace& moved, const TurnFace& face, double slack) const {
   const double low = std::min({n.dot(face.corner[0]), n.dot(face.corner[1]), n.dot(face.corner[2])});
-  const double slack = more_ + kRounding * (farthest(moved) + farthest(face));
-  for (const Vec3& p : moved.corner)
-    if (!(low - most_along(n, p) > slack)) return false;
-  return true;
+  return std::ranges::all_of(moved.corner, [&](const Vec3& p) { return low - most_along(n, p) > slack; });
 }
 
-// Directions across which a plane may keep the faces apart: both normals, and the line between their middles
-// after a turn that brings these as near as it can.
-std::array<Vec3, 3> NearBodies::ways(const TurnFace& moved, const TurnFace& face) const {
+// The kth direction, towards the second face, across which a plane may keep the faces apart: the line between
+// their middles after a turn that brings these as near as it can, and both normals.
+Vec3 NearBodies::way(std::size_t k, const TurnFace& moved, const TurnFace& face) const {
   const Vec3 middle = (moved.corner[0] + moved.corner[1] + moved.corner[2]) / 3.0;
   const Vec3 to = (face.corner[0] + face.corner[1] + face.corner[2]) / 3.0 - middle;
+  if (k > 0) {
+    const Vec3 n = (k == 1 ? face : moved).normal.stableNormalized();
+    return n.dot(to) < 0.0 ? Vec3(-n) : n;
+  }
   const double far = middle.norm();
   const Vec3 out = far > 0.0 ? Vec3(middle / far) : to;
   const Vec3 along = to.dot(out) * out;
   const double side = (to - along).norm();
   const double left = std::max(0.0, side - far * poses_.turn);
-  const Vec3 between = far > 0.0 && side > 0.0 ? Vec3(along + left / side * (to - along)) : out;
-  std::array<Vec3, 3> all{face.normal, moved.normal, between};
-  for (Vec3& n : all) n.stableNormalize();
-  return all;
+  return (far > 0.0 && side > 0.0 ? Vec3(along + left / side * (to - along)) : out).stableNormalized();
 }
 
 bool NearBodies::apart(const TurnFace& moved, const TurnFace& face) const {
-  for (const Vec3& n : ways(moved, face))
-    if (apart_along(n, moved, face) || apart_along(-n, moved, face)) return true;
-  const double way = 2.0 * std::sin(0.5 * std::min(poses_.turn, kPi)) * farthest(moved);
-  const double reach = way + more_ + kRounding * (farthest(moved) + farthest(face));
+  const double slack = more_ + kRounding * (farthest(moved) + farthest(face));
+  for (std::size_t k = 0; k < kWays; ++k)
+    if (apart_along(way(k, moved, face), moved, face, slack)) return true;
+  const double reach = 2.0 * std::sin(0.5 * std::min(poses_.turn, kPi)) * farthest(moved) + slack;
+  for (const Vec3& x : moved.corner)
+    for (const Vec3& y : face.corner)
+      if ((x - y).squaredNorm() <= reach * reach) return false;
   return farther_than(moved, face, reach) && !faces_meet(moved.corner, face.corner);
+}
+
+// Are all parts below two nodes farther apart than the gap in all of the poses, or told about?
+bool NearBodies::apart(const Asked& asked, std::uint32_t p, std::uint32_t q) const {
+  const SweptParts::Node& a = asked.ball.nodes()[p];
+  const SweptParts::Node& b = asked.socket.nodes()[q];
+  const double slack = more_ + kRounding * (a.farthest + b.farthest);
+  if (std::max(a.nearest - b.farthest, b.nearest - a.farthest) > slack) return true;
+  const double reach = a.radius + b.radius + slack;
+  return least_squared(turned(a.centre), b.centre) > reach * reach || (asked.told && asked.told(p, q));
+}
+
+NodePairs NearBodies::left(const Asked& asked, std::size_t most) const {
+  NodePairs kept;
+  if (asked.ball.empty() || asked.socket.empty()) return kept;
+  NodePairs queue = asked.pairs;
+  for (std::size_t k = 0; k < queue.size(); ++k) {
+    const auto [p, q] = queue[k];
+    if (apart(asked, p, q)) continue;
+    const bool leaves = asked.ball.nodes()[p].leaf && asked.socket.nodes()[q].leaf;
+    if (leaves || kept.size() + queue.size() - k >= most)
+      kept.push_back(queue[k]);
+    else
+      open_pair(asked.ball, asked.socket, {p, q}, queue);
+  }
+  return kept;
 }
 
 // Calls meet(face of the ball, that face turned by R, face of the socket) for pairs that may come as near as
 // the gap, until it is true; returns whether it was.
 template <class Meet>
-bool NearBodies::any_close(const SweptParts& ball, const SweptParts& socket, const Told& told,
-                           const Meet& meet) const {
-  const auto are_apart = [&](std::uint32_t p, std::uint32_t q) {
-    const SweptParts::Node& a = ball.nodes()[p];
-    const SweptParts::Node& b = socket.nodes()[q];
-    const double slack = more_ + kRounding * (a.farthest + b.farthest);
-    if (std::max(a.nearest - b.farthest, b.nearest - a.farthest) > slack) return true;
-    const double reach = a.radius + b.radius + slack;
-    return least_squared(turned(a.centre), b.centre) > reach * reach || (told && told(p, q));
+bool NearBodies::any_close(const Asked& asked, const Meet& meet) const {
+  const auto are_apart = [&](std::uint32_t p, std::uint32_t q) { return apart(asked, p, q); };
+  const auto meets = [&](std::uint32_t p, std::uint32_t q) {
+    const TurnFace& face = asked.socket.parts()[q];
+    const TurnFace moved = turned(asked.ball.parts()[p]);
+    return !apart(moved, face) && meet(asked.ball.parts()[p], moved, face);
   };
-  return any_pair(ball, socket, are_apart, [&](std::uint32_t p, std::uint32_t q) {
-    const TurnFace& face = socket.parts()[q];
-    const TurnFace moved = turned(ball.parts()[p]);
-    return !apart(moved, face) && meet(ball.parts()[p], moved, face);
-  });
+  return any_pair(asked.ball, asked.socket, are_apart, meets, asked.pairs);
 }
 
-bool NearBodies::may_meet(const SweptParts& ball, const SweptParts& socket, const Told& told) const {
-  return any_close(ball, socket, told,
-                   [](const TurnFace&, const TurnFace&, const TurnFace&) { return true; });
+bool NearBodies::may_meet(const Asked& asked) const {
+  return any_close(asked, [](const TurnFace&, const TurnFace&, const TurnFace&) { return true; });
 }
 
-bool NearBodies::find_close(const SweptParts& ball, const SweptParts& socket, const Told& told,
-                            std::size_t most, std::vector<ClosePair>& close) const {
-  return !any_close(ball, socket, told, [&](const TurnFace& a, const TurnFace& moved, const TurnFace& face) {
-    if (close.size() == most) return true;
+bool NearBodies::each_close(const Asked& asked, const TakeClose& take) const {
+  const auto stops = [&](const TurnFace& a, const TurnFace& moved, const TurnFace& face) {
     double best = 0.0;
     ClosePair pair{a.corner, Vec3::Zero(), 0.0};
-    for (const Vec3& way : ways(moved, face)) {
-      for (const Vec3& n : {way, Vec3(-way)}) {
-        double most_of_ball = -HUGE_VAL;
-        double least = HUGE_VAL;
-        for (const Vec3& x : moved.corner) most_of_ball = std::max(most_of_ball, n.dot(x));
-        for (const Vec3& y : face.corner) least = std::min(least, n.dot(y));
-        least -= more_;
-        // As the angle of a turn that closes this distance.
-        const double apart = (least - most_of_ball) / (n.cross(moved.corner[0]).norm() + kLeastArm);
-        if (apart <= best) continue;
-        best = apart;
-        pair.normal = n;
-        pair.least = least;
-      }
+    for (std::size_t k = 0; k < kWays; ++k) {
+      const Vec3 n = way(k, moved, face);
+      double most_of_ball = -HUGE_VAL;
+      double least = HUGE_VAL;
+      for (const Vec3& x : moved.corner) most_of_ball = std::max(most_of_ball, n.dot(x));
+      for (const Vec3& y : face.corner) least = std::min(least, n.dot(y));
+      least -= more_;
+      // As the angle of a turn that closes this distance.
+      const double apart = (least - most_of_ball) / (n.cross(moved.corner[0]).norm() + kLeastArm);
+      if (apart <= best) continue;
+      best = apart;
+      pair.normal = n;
+      pair.least = least;
     }
-    if (best > 0.0) close.push_back(pair);
-    return best == 0.0;
-  });
+    return best == 0.0 || !take(pair);
+  };
+  std::vector<std::pair<double, NodePairs::value_type>> nearest;
+  for (const auto& pair : asked.ball.empty() || asked.socket.empty() ? NodePairs() : asked.pairs) {
+    const SweptParts::Node& a = asked.ball.nodes()[pair.first];
+    const SweptParts::Node& b = asked.socket.nodes()[pair.second];
+    nearest.emplace_back((turned(a.centre) - b.centre).norm() - a.radius - b.radius, pair);
+  }
+  std::ranges::sort(nearest, std::greater());  // the search takes the last one first
+  NodePairs pairs;
+  for (const auto& [distance, pair] : nearest) pairs.push_back(pair);
+  return !any_close({asked.ball, asked.socket, asked.told, pairs}, stops);
 }
 
 // Calls take(points) for a point of each face and each inner ball until it is true; returns whether it was.

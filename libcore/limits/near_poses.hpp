@@ -43,6 +43,8 @@ struct ClosePair {
   double least;      // mm
 };
 
+using TakeClose = std::function<bool(const ClosePair&)>;  // false ends the search
+
 /// A body: its faces, and its inner balls (below).
 struct BodyTrees {
   const SweptParts& faces;  // borrowed
@@ -57,12 +59,21 @@ class NearBodies {
 
   NearBodies(const NearPoses& poses, double gap_mm);
 
+  /// Two trees, and which pairs of their nodes are asked about; the caller knows of all others that they are
+  /// apart.
+  struct Asked {
+    const SweptParts& ball;    // borrowed
+    const SweptParts& socket;  // borrowed
+    const Told& told;          // borrowed
+    const NodePairs& pairs;    // borrowed
+  };
+  /// At most some `most` pairs of nodes below those that hold all parts which may come as near as the gap.
+  NodePairs left(const Asked& asked, std::size_t most) const;
   /// May the surfaces come as near as the gap in one of the poses? No is proven.
-  bool may_meet(const SweptParts& ball, const SweptParts& socket, const Told& told) const;
-  /// Appends to `close` all pairs of faces that may come so near, each with a plane that keeps them apart in
-  /// the middle pose. False if some pair has no such plane, or there are more than `most`.
-  bool find_close(const SweptParts& ball, const SweptParts& socket, const Told& told, std::size_t most,
-                  std::vector<ClosePair>& close) const;
+  bool may_meet(const Asked& asked) const;
+  /// Calls take() for all pairs of faces that may come so near, the nearest first, more or less. False if
+  /// some pair has no plane that keeps it apart in the middle pose, or take() was false.
+  bool each_close(const Asked& asked, const TakeClose& take) const;
   /// Is there a point of one body that stays in an inner ball of the other, or within the gap of it, in all
   /// of the poses? Yes is proven.
   bool stay_in_contact(const BodyTrees& ball, const BodyTrees& socket) const;
@@ -78,11 +89,12 @@ class NearBodies {
   bool any_within_reach(const BodyTrees& ball, const BodyTrees& socket, const Far& far,
                         const Take& take) const;
   double most_along(const Vec3& n, const Vec3& p) const;
+  bool apart(const Asked& asked, std::uint32_t p, std::uint32_t q) const;
   template <class Meet>
-  bool any_close(const SweptParts& ball, const SweptParts& socket, const Told& told, const Meet& meet) const;
+  bool any_close(const Asked& asked, const Meet& meet) const;
   bool apart(const TurnFace& moved, const TurnFace& face) const;
-  std::array<Vec3, 3> ways(const TurnFace& moved, const TurnFace& face) const;
-  bool apart_along(const Vec3& n, const TurnFace& moved, const TurnFace& face) const;
+  Vec3 way(std::size_t k, const TurnFace& moved, const TurnFace& face) const;
+  bool apart_along(const Vec3& n, const TurnFace& moved, const TurnFace& face, double slack) const;
 
   const NearPoses& poses_;
   double cosine_, sine_;  // of the largest turn

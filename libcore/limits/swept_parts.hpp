@@ -81,12 +81,25 @@ class SweptParts {
   std::vector<Node> nodes_;
 };
 
-/// Is meet(i, j) true for some pair of triangles? A pair of nodes with apart(node, node) is not opened.
-/// Triangles and nodes are given by their indices.
+/// Nodes of two trees, by their indices.
+using NodePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// Adds the two pairs below a pair of nodes, not both leaves: the larger node is opened.
+inline void open_pair(const SweptParts& one, const SweptParts& other, NodePairs::value_type pair,
+                      NodePairs& to) {
+  const auto [p, q] = pair;
+  const SweptParts::Node& a = one.nodes()[p];
+  const SweptParts::Node& b = other.nodes()[q];
+  const bool open_a = b.leaf || (!a.leaf && a.radius >= b.radius);
+  for (std::uint32_t k = 0; k < 2; ++k) to.emplace_back(open_a ? a.at + k : p, open_a ? q : b.at + k);
+}
+
+/// Is meet(i, j) true for some pair of triangles below the pairs of nodes? A pair of nodes with
+/// apart(node, node) is not opened. Triangles and nodes are given by their indices.
 template <class Apart, class Meet>
-bool any_pair(const SweptParts& one, const SweptParts& other, const Apart& apart, const Meet& meet) {
+bool any_pair(const SweptParts& one, const SweptParts& other, const Apart& apart, const Meet& meet,
+              NodePairs pending = {{0, 0}}) {
   if (one.empty() || other.empty()) return false;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pending{{0, 0}};
   while (!pending.empty()) {
     const auto [p, q] = pending.back();
     pending.pop_back();
@@ -97,8 +110,7 @@ bool any_pair(const SweptParts& one, const SweptParts& other, const Apart& apart
       if (meet(a.at, b.at)) return true;
       continue;
     }
-    const bool open_a = b.leaf || (!a.leaf && a.radius >= b.radius);
-    for (std::uint32_t k = 0; k < 2; ++k) pending.emplace_back(open_a ? a.at + k : p, open_a ? q : b.at + k);
+    open_pair(one, other, {p, q}, pending);
   }
   return false;
 }

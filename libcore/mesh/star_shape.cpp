@@ -173,10 +173,10 @@ StarShapeReport star_shape(const TriangleMesh& mesh) {
     report.solid_angle += solid_angle(a, b, c);
     cones.emplace_back(a, b, c);
   }
-  const auto overlapping = count_overlapping_pairs(cones);
-  report.overlapping_pairs = overlapping.value_or(0);
   measure_shares(cones, report);
   const bool one_side = report.edge_on == 0 && (report.front_facing == 0) != (report.back_facing == 0);
+  const auto overlapping = one_side ? count_overlapping_pairs(cones) : std::nullopt;
+  report.overlapping_pairs = overlapping.value_or(0);
   report.star_shaped = one_side && overlapping == 0U;
   return report;
 }

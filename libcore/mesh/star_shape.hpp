@@ -18,7 +18,8 @@ struct StarShapeReport {
   std::size_t front_facing = 0;  // faces with n.v0 > 0, normals away from the centre
   std::size_t back_facing = 0;   // n.v0 < 0
   std::size_t edge_on = 0;       // n.v0 = 0: the plane of the face holds the centre
-  /// Number of pairs of faces that share directions inside both, as seen from the centre; 0 if not counted.
+  /// Number of pairs of faces that share directions inside both, as seen from the centre; 0 if not counted,
+  /// as where faces look to both sides.
   std::size_t overlapping_pairs = 0;
   /// Signed solid angle of all faces, steradians: 4 pi for a closed body round the centre, 0 for a closed
   /// body beside it.

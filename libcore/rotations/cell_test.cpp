@@ -19,6 +19,7 @@ constexpr double kTurnSlack = 2e-9;   // radians
 
 constexpr std::uint32_t kCoarsestPart = 6;      // cells from this level on are taken apart
 constexpr std::uint32_t kCoarsestOfBodies = 5;  // the same level where bones have an inside
+constexpr std::uint32_t kCoarsestBlocked = 3;   // and that for blocked parts of these
 constexpr std::uint32_t kFinestPart = 10;       // beyond this level planes in floats are too coarse
 constexpr std::size_t kMostWitnesses = 4;    // vertices, or points of bodies, that may block part of a cell
 constexpr std::size_t kMostBlocked = 6;      // blocked half-spaces of a cell
@@ -27,7 +28,8 @@ constexpr double kLeastGain = 0.05;          // a half-space that reaches less f
 constexpr double kLeastSlope = 1e-3;         // least share of a normal across a direction, as a divisor
 constexpr double kLeastNormal = 1e-9;        // mm^2, least cross product of two edges
 constexpr std::size_t kMostPairs = 4000;     // pairs of faces in a cell
-constexpr std::size_t kMostClose = 200;      // pairs of faces of bodies in a cell
+constexpr std::size_t kMostClose = 1000;     // pairs of faces of bodies in a cell
+constexpr double kLeastFree = 0.1;           // a smaller share of a cell is not worth its time
 
 // The nodes of a tree that a depth-first search still has to visit.
 struct Pending {
@@ -403,7 +405,77 @@ CellSearch::Asked CellSearch::asked_of(const NearPoses& poses, const RotationBal
           CapAngle(rotations.radius + doubt + kTurnSlack), rotations.radius};
 }
 
-CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& from) {
+// A cell that is taken apart: what is left of it, in which nothing is known yet.
+struct CellSearch::Parted {
+  Asked asked;
+  CellFrame frame;
+  CellPart part{};
+  CellPolytope left{};
+  std::vector<CellPlane> planes{};  // planes that bound `left`
+  std::size_t pairs = 0;            // pairs of faces that needed planes
+  CapAngle about{0.0};              // about a face's axis: directions that a face of the socket may come to
+
+  bool clip(const CellPlane& plane) {
+    planes.push_back(plane);
+    return left.clip(plane, static_cast<std::uint32_t>(5 + planes.size()));
+  }
+  bool keep(const FormOverCell& form) { return !left.meets(form) || (clip(form.plane()) && !left.empty()); }
+};
+
+void CellSearch::enter(const RotationCell& parent) {
+  parent_ = parent;
+  left_ = test_.bodies_.left(test_.poses_near(ball_about(parent)), by_radii());
+}
+
+// What may meet in all of the cell that was entered.
+const BodyPairs::Left& CellSearch::left_of(const RotationCell* cell) const {
+  static const BodyPairs::Left kAll;
+  return cell != nullptr && parent_ && cell->level > 0 && parent(*cell) == *parent_ ? left_ : kAll;
+}
+
+bool CellSearch::parts_of_bodies(const RotationCell& cell) const {
+  return test_.question_.centre_within_mm == 0.0 && cell.level <= kFinestPart &&
+         cell.level >= kCoarsestOfBodies;
+}
+
+// Looks at bones with an inside, and for the part in which they are apart if the cell may be taken apart.
+CellSearch::Seen CellSearch::see(const Asked& asked, const NearPoses& poses, const RotationCell* cell,
+                                 CellHint& hint) const {
+  Seen seen;
+  seen.middle = test_.bodies_.verdict({asked.rotation, Vec3::Zero()}).contact;
+  if (seen.middle == Contact::yes) return seen;
+  seen.apart = !find_pair(asked, hint);
+  if (cell == nullptr || !parts_of_bodies(*cell)) return seen;
+  seen.clear = std::make_shared<Parted>(Parted{asked, CellFrame(*cell)});
+  if (!keep_bodies_apart(*seen.clear, poses, seen.apart, *cell)) seen.clear = nullptr;
+  return seen;
+}
+
+CellVerdict CellSearch::of_bodies(const Asked& asked, const NearPoses& poses, const CellHint& from,
+                                  const RotationCell* cell) {
+  const BodyPairs& bodies = test_.bodies_;
+  CellHint hint = from;
+  seen_ = see(asked, poses, cell, hint);
+  last_ = cell == nullptr ? std::nullopt : std::optional(*cell);
+  const bool parted = cell != nullptr && parts_of_bodies(*cell);
+  if (seen_.middle != Contact::yes && (parted ? seen_.clear && seen_.clear->planes.empty()
+                                              : !bodies.may_meet(poses, seen_.apart, left_of(cell))))
+    return {state_of_free(asked), seen_.apart ? hint : CellHint{}};
+  if (seen_.middle != Contact::no && bodies.overlap(poses, seen_.apart)) return {CellState::blocked, {}};
+  const bool apart = seen_.middle == Contact::yes ? !find_pair(asked, hint) : seen_.apart;
+  return {CellState::open, apart ? CellHint{} : hint};  // apart: the main surfaces do not stop it
+}
+
+CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& hint) {
+  return decide(rotations, hint, nullptr);
+}
+
+CellVerdict CellSearch::decide(const RotationCell& cell, const CellHint& hint) {
+  return decide(ball_about(cell), hint, &cell);
+}
+
+CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& from,
+                               const RotationCell* cell) {
   const NearPoses poses = test_.poses_near(rotations);
   const double r = test_.question_.centre_within_mm;
   if (r > 0.0 && !(std::min(test_.least_ball_, test_.least_socket_) >
@@ -411,21 +483,13 @@ CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& fr
     return {};
   const Asked asked = asked_of(poses, rotations);
   if (asked.angle.wide) return {};
+  if (!by_radii()) return of_bodies(asked, poses, from, cell);
   CellVerdict verdict = facing(asked, from);
   // Radii decide about the main surfaces if a gap counts, or if bones have no inside (limits/body_pairs.hpp).
   const BodyPairs& bodies = test_.bodies_;
-  const bool by_radii = test_.question_.gap_mm > 0.0 || !bodies.has_inside();
-  if (by_radii && verdict.state == CellState::blocked) return verdict;
-  const bool apart = verdict.state == CellState::free || verdict.state == CellState::unknown;
-  // The middle pose shows whether free or blocked is worth trying.
-  const Contact middle =
-      by_radii ? Contact::unknown : bodies.verdict({rotations.rotation, Vec3::Zero()}).contact;
-  if (middle != Contact::yes && !bodies.may_meet(poses, apart || by_radii)) {
-    if (!by_radii && !apart) verdict = {state_of_free(asked), {}};
-    return verdict;
-  }
-  const bool overlap = middle != Contact::no && bodies.overlap(poses, apart || by_radii);
-  if (overlap || apart) verdict.hint = {};  // the main surfaces do not stop it
+  if (verdict.state == CellState::blocked || !bodies.may_meet(poses, true, left_of(cell))) return verdict;
+  const bool overlap = bodies.overlap(poses, true);
+  if (overlap || verdict.state != CellState::open) verdict.hint = {};  // the main surfaces do not stop it
   verdict.state = overlap ? CellState::blocked : CellState::open;
   return verdict;
 }
@@ -454,23 +518,6 @@ CellVerdict CellSearch::facing(const Asked& asked, const CellHint& from) {
   verdict.state = CellState::open;
   return verdict;
 }
-
-// A cell that is taken apart: what is left of it, in which nothing is known yet.
-struct CellSearch::Parted {
-  Asked asked;
-  CellFrame frame;
-  CellPart part{};
-  CellPolytope left{};
-  std::vector<CellPlane> planes{};  // planes that bound `left`
-  std::size_t pairs = 0;            // pairs of faces that needed planes
-  CapAngle about{0.0};              // about a face's axis: directions that a face of the socket may come to
-
-  bool clip(const CellPlane& plane) {
-    planes.push_back(plane);
-    return left.clip(plane, static_cast<std::uint32_t>(5 + planes.size()));
-  }
-  bool keep(const FormOverCell& form) { return !left.meets(form) || (clip(form.plane()) && !left.empty()); }
-};
 
 // A half-space in which the vertex blocks: there it is beyond the planes of all faces that it may meet. None
 // where that cannot be shown.
@@ -532,10 +579,9 @@ std::vector<FormOverCell> CellSearch::blocked_by_radii(const Parted& at, const C
 
 // Half-spaces in which a point of one body stays in an inner ball of another, as forms:
 // |R x - y|^2 = |x|^2 + |y|^2 - 2 y . R x.
-std::vector<FormOverCell> CellSearch::blocked_by_bodies(const Parted& at, const NearPoses& poses,
-                                                        bool by_radii) const {
+std::vector<FormOverCell> CellSearch::blocked_by_bodies(const Parted& at, const NearPoses& poses) const {
   std::vector<FormOverCell> forms;
-  for (const auto& [x, y, reach] : test_.bodies_.deepest(poses, by_radii, kMostWitnesses)) {
+  for (const auto& [x, y, reach] : test_.bodies_.deepest(poses, by_radii(), kMostWitnesses)) {
     const double squares = x.squaredNorm() + y.squaredNorm();
     forms.push_back(at.frame.form(y, x, 0.5 * (squares - reach * reach), 1.0, kTolerance * squares));
   }
@@ -699,34 +745,42 @@ bool CellSearch::take_free(Parted& at, const CellHint& hint) const {
 }
 
 // Clips what is left to where bodies are apart; false if no such place could be shown.
-bool CellSearch::keep_bodies_apart(Parted& at, const NearPoses& poses, bool by_radii) const {
-  const auto close = test_.bodies_.close(poses, by_radii, kMostClose);
-  return close && std::all_of(close->begin(), close->end(), [&](const ClosePair& pair) {
-           return std::all_of(pair.of_ball.begin(), pair.of_ball.end(), [&](const Vec3& x) {
-             const double slack = kTolerance * (x.norm() + std::abs(pair.least));
-             return at.keep(at.frame.form(pair.normal, x, pair.least, -1.0, slack));
-           });
-         });
+bool CellSearch::keep_bodies_apart(Parted& at, const NearPoses& poses, bool by_radii,
+                                   const RotationCell& cell) const {
+  std::size_t taken = 0;
+  const double least = kLeastFree * share(cell);
+  const auto take = [&](const ClosePair& pair) {
+    const std::size_t planes = at.planes.size();
+    return ++taken <= kMostClose && std::ranges::all_of(pair.of_ball, [&](const Vec3& x) {
+      const double slack = kTolerance * std::abs(pair.least) + kTurnSlack * x.norm();
+      return at.keep(at.frame.form(pair.normal, x, pair.least, -1.0, slack));
+    }) && (at.planes.size() == planes || at.left.share(at.frame) >= least);
+  };
+  return test_.bodies_.each_close(poses, by_radii, take, left_of(&cell));
 }
 
 CellPart CellSearch::part_of(const RotationCell& cell, const CellHint& hint) {
-  const CellQuestion& question = test_.question_;
   const RotationBall rotations = ball_about(cell);
   const NearPoses poses = test_.poses_near(rotations);
-  const bool by_radii = question.gap_mm > 0.0 || !test_.bodies_.has_inside();
-  if (question.centre_within_mm > 0.0 || cell.level > kFinestPart ||
-      cell.level < (by_radii ? kCoarsestPart : kCoarsestOfBodies))
+  if (test_.question_.centre_within_mm > 0.0 || cell.level > kFinestPart ||
+      cell.level < (by_radii() ? kCoarsestPart : kCoarsestBlocked))
     return {};
   Parted at{asked_of(poses, rotations), CellFrame(cell)};
-  std::vector<FormOverCell> forms = blocked_by_bodies(at, poses, by_radii);
-  if (by_radii) {
+  CellHint guess = hint;
+  if (!by_radii() && last_ != cell) seen_ = see(at.asked, poses, &cell, guess);
+  last_.reset();
+  std::vector<FormOverCell> forms;
+  if (by_radii() || seen_.middle != Contact::no) forms = blocked_by_bodies(at, poses);
+  if (by_radii()) {
     const std::vector<FormOverCell> more = blocked_by_radii(at, hint);
     forms.insert(forms.end(), more.begin(), more.end());
   }
   if (take_blocked(at, forms)) at.part.state = CellState::blocked;
-  const bool may_be_free = by_radii ? !at.left.empty() : forms.empty();
-  if (may_be_free && state_of_free(at.asked) == CellState::free && keep_bodies_apart(at, poses, by_radii) &&
-      (!by_radii || take_free(at, hint)) && !at.left.empty()) {
+  const bool may_be_free = by_radii() ? !at.left.empty() : forms.empty() && seen_.clear;
+  if (!may_be_free || state_of_free(at.asked) != CellState::free) return std::move(at.part);
+  if (!by_radii()) at = std::move(*seen_.clear);
+  const bool apart = !by_radii() || (keep_bodies_apart(at, poses, true, cell) && take_free(at, hint));
+  if (apart && !at.left.empty()) {
     if (at.planes.empty()) at.part.state = CellState::free;
     at.part.free_share = at.left.share(at.frame);
     for (std::size_t k = 0; k < at.planes.size(); ++k)

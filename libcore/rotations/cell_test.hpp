@@ -19,7 +19,9 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 #include "contact/cap_limits.hpp"
 #include "files/fields.hpp"
@@ -119,9 +121,10 @@ class CellSearch {
 
   /// The state of all these rotations. A hint, such as that of the parent cell, saves time.
   CellVerdict decide(const RotationBall& rotations, const CellHint& hint = {});
-  CellVerdict decide(const RotationCell& cell, const CellHint& hint = {}) {
-    return decide(ball_about(cell), hint);
-  }
+  CellVerdict decide(const RotationCell& cell, const CellHint& hint = {});
+  /// Finds what holds in all of a cell of a level below kFinestCells, so that it is not asked again of its
+  /// eighths. These come next.
+  void enter(const RotationCell& parent);
   /// What is known of parts of a cell whose verdict is open; nothing where the centre is in doubt.
   CellPart part_of(const RotationCell& cell, const CellHint& hint);
 
@@ -161,12 +164,25 @@ class CellSearch {
   std::optional<FormOverCell> block_form(const Parted& at, Surface of, const Reach& reach);
   void find_witnesses(const Parted& at, Surface of, std::vector<Reach>& found);
   std::vector<FormOverCell> blocked_by_radii(const Parted& at, const CellHint& hint);
-  std::vector<FormOverCell> blocked_by_bodies(const Parted& at, const NearPoses& poses, bool by_radii) const;
+  std::vector<FormOverCell> blocked_by_bodies(const Parted& at, const NearPoses& poses) const;
   static bool take_blocked(Parted& at, const std::vector<FormOverCell>& forms);
   bool keep_apart(Parted& at, const PosedFace& socket, const DirectionFace& ball) const;
-  bool keep_bodies_apart(Parted& at, const NearPoses& poses, bool by_radii) const;
+  bool keep_bodies_apart(Parted& at, const NearPoses& poses, bool by_radii, const RotationCell& cell) const;
   bool take_free(Parted& at, const CellHint& hint) const;
 
+  /// What is known of bones with an inside, in all rotations about a cell.
+  struct Seen {
+    Contact middle = Contact::unknown;  // are they in contact in its middle?
+    bool apart = false;                 // do radii show that the main surfaces do not meet?
+    std::shared_ptr<Parted> clear;      // where the bodies are apart, if looked for and found
+  };
+  const BodyPairs::Left& left_of(const RotationCell* cell) const;
+  Seen see(const Asked& asked, const NearPoses& poses, const RotationCell* cell, CellHint& hint) const;
+  bool parts_of_bodies(const RotationCell& cell) const;
+  bool by_radii() const { return test_.question_.gap_mm > 0.0 || !test_.bodies_.has_inside(); }
+  CellVerdict decide(const RotationBall& rotations, const CellHint& hint, const RotationCell* cell);
+  CellVerdict of_bodies(const Asked& asked, const NearPoses& poses, const CellHint& from,
+                        const RotationCell* cell);
   CellVerdict facing(const Asked& asked, const CellHint& from);  // about the main surfaces, by radii
   CellState state_of_free(const Asked& asked) const;
   CapAngle angle_of(const Asked& asked, const PosedFace& socket, const DirectionFace& ball) const;
@@ -182,6 +198,10 @@ class CellSearch {
 
   const CellTest& test_;
   PatchMemory memory_;
+  std::optional<RotationCell> parent_;  // whose eighths come next
+  BodyPairs::Left left_;                // what may meet in it
+  std::optional<RotationCell> last_;    // the last open cell whose bones were looked at
+  Seen seen_;                           // what was seen there
 };
 
 }  // namespace impinge

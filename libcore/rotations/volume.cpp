@@ -14,8 +14,8 @@
 namespace impinge {
 namespace {
 
-constexpr std::size_t kBatch = 1024;    // cells that are split before the open share is looked at
-constexpr std::size_t kTaken = 16;      // cells that a thread takes at a time
+constexpr std::size_t kBatch = 128;     // cells that are split before the open share is looked at
+constexpr std::size_t kTaken = 16;      // cells that a thread takes at a time, of whole parents
 constexpr double kWidestParted = 0.03;  // for a larger width, parts by radii are not worth their time
 constexpr std::uint8_t kCertainly = 1;
 constexpr std::uint8_t kPerhaps = 2;
@@ -102,6 +102,7 @@ class MotionVolume::Refinement {
       for (std::size_t from = next.fetch_add(kTaken); from < cells.size(); from = next.fetch_add(kTaken)) {
         for (std::size_t k = from; k < std::min(cells.size(), from + kTaken); ++k) {
           Asked& at = cells[k];
+          if (at.cell.level > 0 && k % 8 == 0) searches_[thread].enter(parent(at.cell));
           if (at.told != CellState::open)
             at.verdict = {at.told, at.hint};
           else

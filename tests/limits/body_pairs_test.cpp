@@ -755,8 +755,13 @@ TEST(BodyPairs, AreAskedBesideTheMainSurfacesAlone) {
   EXPECT_TRUE(pairs.may_meet(shifted));
   EXPECT_FALSE(pairs.may_meet(shifted, true));
   const NearPoses turned{.turn = 0.05, .shift_mm = 0.4};
-  EXPECT_GT(pairs.close(turned, false, 1000).value().size(), 0U);
-  EXPECT_EQ(pairs.close(turned, true, 1000).value().size(), 0U);
+  const auto close = [&](bool by_radii) {
+    std::size_t count = 0;
+    EXPECT_TRUE(pairs.each_close(turned, by_radii, [&](const ClosePair&) { return ++count > 0; }));
+    return count;
+  };
+  EXPECT_GT(close(false), 0U);
+  EXPECT_EQ(close(true), 0U);
   EXPECT_TRUE(pairs.may_meet({.turn = 1e-3, .shift_mm = 6.0}, true)) << "the rim is no main surface";
   // The bone below turns into the wall, 25 to 30 mm from the centre.
   const auto pose = [](double degrees) {
@@ -980,12 +985,12 @@ TEST(NearBodies, FacesAboveEachOtherAreApartUntilTheyAreNear) {
       for (const auto& [shift, gap] :
            {std::pair{0.99 * nearer, 0.0}, {0.0, 0.99 * nearer}, {0.5 * nearer, 0.49 * nearer}}) {
         const NearPoses poses{.turn = turn, .shift_mm = shift};
-        EXPECT_FALSE(NearBodies(poses, gap).may_meet(ball, socket, {})) << z;
-        EXPECT_FALSE(NearBodies(poses, gap).may_meet(socket, ball, {})) << z;
+        EXPECT_FALSE(NearBodies(poses, gap).may_meet({ball, socket, {}, {{0, 0}}})) << z;
+        EXPECT_FALSE(NearBodies(poses, gap).may_meet({socket, ball, {}, {{0, 0}}})) << z;
       }
       const NearPoses poses{.turn = turn, .shift_mm = 3.01};
-      EXPECT_TRUE(NearBodies(poses, 0.0).may_meet(ball, socket, {})) << z;
-      EXPECT_TRUE(NearBodies({.turn = turn}, 3.01).may_meet(ball, socket, {})) << z;
+      EXPECT_TRUE(NearBodies(poses, 0.0).may_meet({ball, socket, {}, {{0, 0}}})) << z;
+      EXPECT_TRUE(NearBodies({.turn = turn}, 3.01).may_meet({ball, socket, {}, {{0, 0}}})) << z;
     }
   }
 }
