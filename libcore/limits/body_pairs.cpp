@@ -19,6 +19,7 @@
 #include "mesh/disjoint_sets.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/meeting_faces.hpp"
+#include "mesh/surface_vertices.hpp"
 #include "mesh/triangle_distance.hpp"
 #include "sphere/plane_side.hpp"
 
@@ -269,6 +270,7 @@ BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
       bodies.push_back(std::make_unique<Body>(part, ball, Body::Is::part));
   });
   if (socket_[0]->sheet) radial_ = std::make_unique<const Radial>(main);
+  if (main_only_) edge_on_ = {edge_on_of(main.ball, true), edge_on_of(main.socket, false)};
   for (std::size_t b = 0; b < ball_.size(); ++b) {
     for (std::size_t s = 0; s < socket_.size(); ++s) pairs_.push_back({b, s});
   }
@@ -305,9 +307,47 @@ BodyPairs BodyPairs::of_surfaces(const BallSocketPair& surfaces) {
   return pairs;
 }
 
-BodyPairs::Verdict BodyPairs::verdict(const Pair& pair, const Pose& pose) const {
-  const Body& ball = *ball_[pair.ball];
-  const Body& socket = *socket_[pair.socket];
+// What radii leave open of a surface: its edge-on faces may meet the other one, and pieces of nothing else
+// may be inside it. Other pieces have a face that radii tell about.
+std::unique_ptr<BodyPairs::Body> BodyPairs::edge_on_of(const TriangleMesh& main, bool turns) {
+  TriangleMesh mesh = without_flat_faces(main);
+  DisjointSets sets(mesh.vertices.size());
+  for (const Face& face : mesh.faces) {
+    for (const VertexIndex v : face) sets.join(face[0], v, false);
+  }
+  std::set<std::size_t> seen;
+  std::erase_if(mesh.faces, [&](const Face& face) {
+    if (is_edge_on(mesh, face)) return false;
+    seen.insert(sets.find(face[0]).root);
+    return true;
+  });
+  if (mesh.faces.empty()) return nullptr;
+  auto body = std::make_unique<Body>(mesh, turns, Body::Is::surface);
+  for (const Face& face : mesh.faces) {
+    if (seen.insert(sets.find(face[0]).root).second) body->pieces.push_back(mesh.vertices[face[0]]);
+  }
+  return body;
+}
+
+// Calls ask(ball, socket) for the edge-on faces of either surface and the whole other one, until it is true.
+template <class Ask>
+bool BodyPairs::any_edge_on(const Ask& ask) const {
+  return (edge_on_[0] && ask(*edge_on_[0], *socket_[0])) || (edge_on_[1] && ask(*ball_[0], *edge_on_[1]));
+}
+
+// The verdict about main bones that do not overlap radially.
+BodyPairs::Verdict BodyPairs::beside_radii(const Pair& pair, const Pose& pose) const {
+  Verdict found{Contact::no, ContactRule::surfaces, pair};
+  any_edge_on([&](const Body& ball, const Body& socket) {
+    const Verdict one = verdict(ball, socket, pair, pose);
+    if (one.contact != Contact::no) found = one;
+    return one.contact == Contact::yes;
+  });
+  return found;
+}
+
+BodyPairs::Verdict BodyPairs::verdict(const Body& ball, const Body& socket, const Pair& pair,
+                                      const Pose& pose) {
   if (surfaces_meet(*ball.moved, *socket.fixed, pose)) return {Contact::yes, ContactRule::surfaces, pair};
   const Contact in_socket =
       socket.holds_of(ball, 0.0, [&](const Vec3& x) -> Vec3 { return to_socket(pose, x); });
@@ -339,7 +379,7 @@ BodyPairs::Verdict BodyPairs::verdict(const Pose& pose) const {
   const bool overlap = radial_ && radial_->overlay.impinged(pose);
   return first_of([&](const Pair& pair) {
     if (!radial_ || !is_main(pair)) return verdict(pair, pose);
-    if (!overlap && main_only_) return Verdict{Contact::no, ContactRule::surfaces, pair};
+    if (!overlap && main_only_) return beside_radii(pair, pose);
     Verdict found = verdict(pair, pose);
     return found.contact == Contact::yes || !overlap ? found
                                                      : Verdict{Contact::yes, ContactRule::radii, pair};
@@ -393,14 +433,17 @@ template <class Meet>
 std::optional<BodyPairs::Pair> BodyPairs::first_that(const NearPoses& poses, bool by_radii,
                                                      const Meet& meet) const {
   for (const Pair& pair : pairs_) {
-    if (by_radii && main_only_ && is_main(pair)) continue;
+    NearBodies::Told told;
+    const auto may = [&](const Body& ball, const Body& socket) {
+      const NearBodies near(poses, is_main(pair) ? 0.0 : poses.gap_mm);
+      return meet(near, ball.faces(), socket.faces(), told) || may_hold(ball, socket, poses);
+    };
     const Body& ball = *ball_[pair.ball];
     const Body& socket = *socket_[pair.socket];
-    NearBodies::Told told;
-    if (by_radii && is_main(pair) && !ball.of_main.empty())
+    const bool radii = by_radii && is_main(pair);
+    if (radii && !main_only_ && !ball.of_main.empty())
       told = [&](std::uint32_t a, std::uint32_t b) { return ball.of_main[a] && socket.of_main[b]; };
-    const NearBodies near(poses, is_main(pair) ? 0.0 : poses.gap_mm);
-    if (meet(near, ball.faces(), socket.faces(), told) || may_hold(ball, socket, poses)) return pair;
+    if (radii && main_only_ ? any_edge_on(may) : may(ball, socket)) return pair;
   }
   return std::nullopt;
 }
