@@ -22,7 +22,7 @@ namespace impinge {
 namespace {
 
 // Version of the test and order of cells; verdicts of another version are not taken.
-constexpr const char* kVerdicts = "volume 4";
+constexpr const char* kVerdicts = "volume 5";
 
 // Verdicts of an interrupted run, as bytes: four words each, and a fifth that belongs to this place, question
 // and version. From the first that does not match, everything is worked out again.
@@ -127,6 +127,10 @@ std::string words_of_volume(const VolumeAnswer& found, double width) {
       "\nmobility            %.2f to %.2f million degrees^3 of 14.85, weighted by the cosine\n"
       "                    of bones alone: ligaments and muscles forbid most of what bones allow",
       1e-6 * found.mobility_low_deg3(), 1e-6 * found.mobility_high_deg3());
+  if (found.by_radii && shares.high() < 1.0)
+    text +=
+        "\nblocked             by radii, too: where the ball reaches beyond the socket, which is a sheet, "
+        "though no surfaces meet; limits may go further";
   if (found.neutral_blocked()) return text + "\nreachable           none: the pose of the scan is blocked\n";
   text += formatted("\nreachable           %.2f to %.2f %% from the pose of the scan without contact\n",
                     100.0 * shares.reached(), 100.0 * shares.within_reach());
