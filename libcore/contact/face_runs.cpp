@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "mesh/collinear.hpp"
+#include "mesh/lengths.hpp"
 
 namespace impinge {
 namespace {
@@ -72,6 +73,7 @@ std::vector<RunItem> items_with_area(const TriangleMesh& mesh) {
 }  // namespace
 
 FaceRuns::FaceRuns(const TriangleMesh& mesh) {
+  require_float_lengths(mesh);
   std::vector<RunItem> items = items_with_area(mesh);
   std::size_t longest = 1;
   while (longest * kWidth < items.size()) longest *= kWidth;

@@ -16,7 +16,8 @@ namespace impinge {
 struct FaceRuns {
   static constexpr std::size_t kWidth = 8;  // runs of a block
 
-  explicit FaceRuns(const TriangleMesh& mesh);  // leaves out faces without area
+  /// Leaves out faces without area. Throws as require_float_lengths() (mesh/lengths.hpp).
+  explicit FaceRuns(const TriangleMesh& mesh);
 
   std::vector<Vec3> vertices;      // mm, the vertices of the faces
   std::vector<Face> faces;         // in the order of the runs

@@ -2,6 +2,8 @@
 // Decides exactly whether the surfaces of two meshes meet when one of them is moved. The meshes may be open,
 // and may have slivers and faces that are there twice. Faces without area meet nothing.
 //
+// Lengths are those of require_float_lengths() (mesh/lengths.hpp); other meshes are refused.
+//
 // The answer is the same as from faces_meet() (mesh/meeting_faces.hpp) for all pairs of faces with an area,
 // with the corners that to_socket() gives (gap/pose.hpp). By Theorem 9 (near) runs of moved faces are left
 // out if a sphere round them is clear of the other surface by the grid of distances about it
@@ -70,7 +72,7 @@ class FixedFaces {
 };
 
 /// Do the two surfaces have a common point in this pose? Exact. May be called from several threads at once.
-/// Coordinates must be up to 1e15 mm and as plane_side() needs them, and the rotation orthogonal to 1e-7.
+/// The rotation must be orthogonal to 1e-7, and the translation no longer than kMostFloatLength.
 /// Adds to `looked_at` the number of moved faces that are tested one by one.
 bool surfaces_meet(const MovedFaces& moved, const FixedFaces& fixed, const Pose& pose,
                    std::size_t* looked_at = nullptr);

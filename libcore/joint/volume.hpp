@@ -64,6 +64,7 @@ inline constexpr double kAllRotationsDeg3 = 360.0 * 360.0 * 360.0 / kPi;
 
 struct VolumeAnswer {
   std::vector<VolumeMotion> motions;
+  bool by_radii = false;
   MotionVolume volume;
 
   const VolumeShares& shares() const { return volume.shares(); }
@@ -85,6 +86,9 @@ struct VolumeAnswer {
             via(&VolumeAnswer::shares, &VolumeShares::reached)},
       Field{"reachable_high", "1", "at most", via(&VolumeAnswer::shares, &VolumeShares::within_reach)},
       Field{"neutral_blocked", "", "is the pose of the scan blocked?", &VolumeAnswer::neutral_blocked},
+      Field{"by_radii", "",
+            "does radial overlap block, too, as the socket is a sheet? `limits` may then go further",
+            &VolumeAnswer::by_radii},
       Field{"unknown", "1", "share of which nothing is known: the ball's mesh ends there",
             via(&VolumeAnswer::shares, &VolumeShares::unknown)},
       Field{"open", "1", "share that is undecided", via(&VolumeAnswer::shares, &VolumeShares::open)},

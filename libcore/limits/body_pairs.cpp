@@ -19,6 +19,7 @@
 #include "mesh/disjoint_sets.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/meeting_faces.hpp"
+#include "mesh/surface_vertices.hpp"
 #include "mesh/triangle_distance.hpp"
 #include "sphere/plane_side.hpp"
 
@@ -270,6 +271,7 @@ BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
       bodies.push_back(std::make_unique<Body>(part, ball, Body::Is::part));
   });
   if (socket_[0]->sheet) radial_ = std::make_unique<const Radial>(main);
+  if (main_only_) edge_on_ = {edge_on_of(main.ball, true), edge_on_of(main.socket, false)};
   for (std::size_t b = 0; b < ball_.size(); ++b) {
     for (std::size_t s = 0; s < socket_.size(); ++s) pairs_.push_back({b, s});
   }
@@ -306,9 +308,47 @@ BodyPairs BodyPairs::of_surfaces(const BallSocketPair& surfaces) {
   return pairs;
 }
 
-BodyPairs::Verdict BodyPairs::verdict(const Pair& pair, const Pose& pose) const {
-  const Body& ball = *ball_[pair.ball];
-  const Body& socket = *socket_[pair.socket];
+// What radii leave open of a surface: its edge-on faces may meet the other one, and pieces of nothing else
+// may be inside it. Other pieces have a face that radii tell about.
+std::unique_ptr<BodyPairs::Body> BodyPairs::edge_on_of(const TriangleMesh& main, bool turns) {
+  TriangleMesh mesh = without_flat_faces(main);
+  DisjointSets sets(mesh.vertices.size());
+  for (const Face& face : mesh.faces) {
+    for (const VertexIndex v : face) sets.join(face[0], v, false);
+  }
+  std::set<std::size_t> seen;
+  std::erase_if(mesh.faces, [&](const Face& face) {
+    if (is_edge_on(mesh, face)) return false;
+    seen.insert(sets.find(face[0]).root);
+    return true;
+  });
+  if (mesh.faces.empty()) return nullptr;
+  auto body = std::make_unique<Body>(mesh, turns, Body::Is::surface);
+  for (const Face& face : mesh.faces) {
+    if (seen.insert(sets.find(face[0]).root).second) body->pieces.push_back(mesh.vertices[face[0]]);
+  }
+  return body;
+}
+
+// Calls ask(ball, socket) for the edge-on faces of either surface and the whole other one, until it is true.
+template <class Ask>
+bool BodyPairs::any_edge_on(const Ask& ask) const {
+  return (edge_on_[0] && ask(*edge_on_[0], *socket_[0])) || (edge_on_[1] && ask(*ball_[0], *edge_on_[1]));
+}
+
+// The verdict about main bones that do not overlap radially.
+BodyPairs::Verdict BodyPairs::beside_radii(const Pair& pair, const Pose& pose) const {
+  Verdict found{Contact::no, ContactRule::surfaces, pair};
+  any_edge_on([&](const Body& ball, const Body& socket) {
+    const Verdict one = verdict(ball, socket, pair, pose);
+    if (one.contact != Contact::no) found = one;
+    return one.contact == Contact::yes;
+  });
+  return found;
+}
+
+BodyPairs::Verdict BodyPairs::verdict(const Body& ball, const Body& socket, const Pair& pair,
+                                      const Pose& pose) {
   if (surfaces_meet(*ball.moved, *socket.fixed, pose)) return {Contact::yes, ContactRule::surfaces, pair};
   const Contact in_socket =
       socket.holds_of(ball, 0.0, [&](const Vec3& x) -> Vec3 { return to_socket(pose, x); });
@@ -348,7 +388,7 @@ BodyPairs::Verdict BodyPairs::verdict(const Pose& pose) const {
   const bool overlap = radial_ && radial_->overlay.impinged(pose);
   return first_of([&](const Pair& pair) {
     if (!radial_ || !is_main(pair)) return verdict(pair, pose);
-    if (!overlap && main_only_) return Verdict{Contact::no, ContactRule::surfaces, pair};
+    if (!overlap && main_only_) return beside_radii(pair, pose);
     Verdict found = verdict(pair, pose);
     return found.contact == Contact::yes || !overlap ? found
                                                      : Verdict{Contact::yes, ContactRule::radii, pair};
@@ -386,9 +426,7 @@ std::optional<BodyPairs::Nearest> BodyPairs::nearest_part(const Pose& pose) cons
 }
 
 // If the surfaces meet in none of these poses: may a point of one be inside the other in one of them?
-bool BodyPairs::may_hold(const Pair& pair, const NearPoses& poses) const {
-  const Body& ball = *ball_[pair.ball];
-  const Body& socket = *socket_[pair.socket];
+bool BodyPairs::may_hold(const Body& ball, const Body& socket, const NearPoses& poses) {
   const auto farthest = [&](const Body& body) {
     const double way = body.faces().empty() ? 0.0 : body.faces().nodes()[0].farthest;
     return 2.0 * way * std::sin(0.5 * std::min(poses.turn, kPi)) * (1.0 + kNodeRounding) + poses.shift_mm;
@@ -400,30 +438,47 @@ bool BodyPairs::may_hold(const Pair& pair, const NearPoses& poses) const {
          ball.holds_of(socket, farthest(socket), back) != Contact::no;
 }
 
-// Calls meet(near, asked, k) for the kth pair until it is true, or a point may be inside.
+// Two bodies that are asked about. `left` has the pair's place; edge-on faces that radii leave open have none.
+struct BodyPairs::Asking {
+  const Body& ball;
+  const Body& socket;
+  const NearBodies& near;
+  NearBodies::Asked faces;
+  std::optional<std::size_t> place;
+};
+
+// Calls meet(asking) for each pair until it is true.
 template <class Meet>
 std::optional<BodyPairs::Pair> BodyPairs::first_that(const NearPoses& poses, bool by_radii, const Left& left,
                                                      const Meet& meet) const {
   const NodePairs all{{0, 0}};
+  const NearBodies::Told none;
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const Pair& pair = pairs_[k];
-    if (by_radii && main_only_ && is_main(pair)) continue;
+    const NearBodies near(poses, is_main(pair) ? 0.0 : poses.gap_mm);
     const Body& ball = *ball_[pair.ball];
     const Body& socket = *socket_[pair.socket];
+    const bool radii = by_radii && is_main(pair);
+    if (radii && main_only_) {
+      const auto ask = [&](const Body& one, const Body& other) {
+        return meet(Asking{one, other, near, {one.faces(), other.faces(), none, all}, std::nullopt});
+      };
+      if (any_edge_on(ask)) return pair;
+      continue;
+    }
     NearBodies::Told told;
-    if (by_radii && is_main(pair) && !ball.of_main.empty())
+    if (radii && !ball.of_main.empty())
       told = [&](std::uint32_t a, std::uint32_t b) { return ball.of_main[a] && socket.of_main[b]; };
-    const NearBodies near(poses, is_main(pair) ? 0.0 : poses.gap_mm);
-    if (meet(near, NearBodies::Asked{ball.faces(), socket.faces(), told, left.empty() ? all : left[k]}, k))
-      return pair;
+    const NodePairs& from = left.empty() ? all : left[k];
+    if (meet(Asking{ball, socket, near, {ball.faces(), socket.faces(), told, from}, k})) return pair;
   }
   return std::nullopt;
 }
 
 BodyPairs::Left BodyPairs::left(const NearPoses& poses, bool by_radii) const {
   Left found(pairs_.size());
-  first_that(poses, by_radii, {}, [&](const NearBodies& near, const NearBodies::Asked& asked, std::size_t k) {
-    found[k] = near.left(asked, kMostLeft);
+  first_that(poses, by_radii, {}, [&](const Asking& asking) {
+    if (asking.place) found[*asking.place] = asking.near.left(asking.faces, kMostLeft);
     return false;
   });
   return found;
@@ -431,18 +486,16 @@ BodyPairs::Left BodyPairs::left(const NearPoses& poses, bool by_radii) const {
 
 std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses, bool by_radii,
                                                    const Left& left) const {
-  return first_that(poses, by_radii, left,
-                    [&](const NearBodies& near, const NearBodies::Asked& asked, std::size_t k) {
-                      return near.may_meet(asked) || may_hold(pairs_[k], poses);
-                    });
+  return first_that(poses, by_radii, left, [&](const Asking& asking) {
+    return asking.near.may_meet(asking.faces) || may_hold(asking.ball, asking.socket, poses);
+  });
 }
 
 bool BodyPairs::each_close(const NearPoses& poses, bool by_radii, const TakeClose& take,
                            const Left& left) const {
-  return !first_that(poses, by_radii, left,
-                     [&](const NearBodies& near, const NearBodies::Asked& asked, std::size_t k) {
-                       return !near.each_close(asked, take) || may_hold(pairs_[k], poses);
-                     });
+  return !first_that(poses, by_radii, left, [&](const Asking& asking) {
+    return !asking.near.each_close(asking.faces, take) || may_hold(asking.ball, asking.socket, poses);
+  });
 }
 
 void BodyPairs::find_inner_balls(const BallSocketPair& main, bool by_radii) {

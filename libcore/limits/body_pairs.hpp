@@ -18,11 +18,13 @@
 //                    (our choice). A point is inside a main sheet only if all rays cross it outwards more
 //                    often than inwards; in the hollow of an acetabulum none does. Of any other sheet, such
 //                    as cartilage round the head, inside is not known. A single pose in which radii overlap
-//                    (gap/overlay.hpp) counts as contact if the socket is a sheet, and the answer says so. A
-//                    turn only asks where its surface is met.
+//                    (gap/overlay.hpp) counts as contact if the socket is a sheet, and the answer says so.
+//                    Without it only edge-on faces, which radii know nothing of, can be in contact. A turn
+//                    only asks where its surface is met.
 //   surfaces alone   that were cut out of their bones have no inside: they are in contact where they meet.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -105,9 +107,11 @@ class BodyPairs {
   /// For each pair of bodies the nodes of faces that may meet in some poses. Empty: all may.
   using Left = std::vector<NodePairs>;
   /// Which faces may meet in some of the poses? Questions about poses that are all among these are quicker
-  /// with it. by_radii: the caller decides about the main surfaces by radii, and they are not asked about.
+  /// with it. by_radii: as of may_meet().
   Left left(const NearPoses& poses, bool by_radii) const;
   /// Two bodies that may be in contact in one of the poses; std::nullopt proves that no two are, in any pose.
+  /// by_radii: the caller decides about the main surfaces by radii; only their edge-on faces are asked about
+  /// here.
   std::optional<Pair> may_meet(const NearPoses& poses, bool by_radii = false, const Left& left = {}) const;
   /// Calls take() for the pairs of faces that may meet in one of the poses (NearBodies::each_close()). True
   /// if the bodies are proven to be apart in the middle pose, and in all poses in which no such pair meets.
@@ -176,10 +180,18 @@ class BodyPairs {
   };
   BodyPairs() = default;
   bool is_main(const Pair& pair) const { return pair.ball + pair.socket == 0; }
-  Verdict verdict(const Pair& pair, const Pose& pose) const;
+  static std::unique_ptr<Body> edge_on_of(const TriangleMesh& main, bool turns);
+  template <class Ask>
+  bool any_edge_on(const Ask& ask) const;
+  Verdict beside_radii(const Pair& pair, const Pose& pose) const;
+  static Verdict verdict(const Body& ball, const Body& socket, const Pair& pair, const Pose& pose);
+  Verdict verdict(const Pair& pair, const Pose& pose) const {
+    return verdict(*ball_[pair.ball], *socket_[pair.socket], pair, pose);
+  }
   template <class Ask>
   Verdict first_of(const Ask& ask) const;
-  bool may_hold(const Pair& pair, const NearPoses& poses) const;
+  static bool may_hold(const Body& ball, const Body& socket, const NearPoses& poses);
+  struct Asking;
   template <class Meet>
   std::optional<Pair> first_that(const NearPoses& poses, bool by_radii, const Left& left,
                                  const Meet& meet) const;
@@ -192,7 +204,10 @@ class BodyPairs {
   std::vector<std::unique_ptr<Body>> socket_;
   std::vector<Pair> pairs_;
   bool main_only_ = true;  // are the main bones no more than the main surfaces?
-  bool inside_ = true;     // false for surfaces alone
+  /// Faces of ball and socket that radii know nothing of, as bodies without an inside; null if there are none
+  /// or if bones have more than their main surfaces.
+  std::array<std::unique_ptr<const Body>, 2> edge_on_;
+  bool inside_ = true;  // false for surfaces alone
   std::unique_ptr<const Radial> radial_;
 };
 

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "limits/told_limit.hpp"
 
+#include "hip/length_unit.hpp"
+
 namespace impinge {
 namespace {
 
 constexpr double kOfNote = 5.0;  // degrees: a smaller change of a limit does not count
+// mm: of a ball that reaches less far, as one in metres, nothing is told for other centres, since all pairs
+// of faces may meet about some.
+constexpr double kLeastReach = 4.0 * kErrorOfInput;
 
 std::optional<double> first_reached(const TurnLimit& limit) {
   const bool reached = limit.state == LimitState::limited || limit.state == LimitState::blocked;
@@ -28,10 +33,13 @@ ToldLimit told_limit(const TurnLimits& limits, const JointTurn& turn, double thr
   told.threshold_mm = threshold_mm;
   told.limit =
       contact ? limits.first_contact(turn, largest_deg) : limits.gap_of(turn, threshold_mm, largest_deg);
-  CentreQuestion question{CentreDoubt::common, kErrorOfInput, threshold_mm};
-  told.common = limits.centre_interval(turn, told.limit, largest_deg, question);
-  question.doubt = CentreDoubt::play;
-  told.play = limits.centre_interval(turn, told.limit, largest_deg, question);
+  told.common = told.play = {0.0, largest_deg, false};
+  if (reach_of(limits.meshes().ball).farthest > kLeastReach) {
+    CentreQuestion question{CentreDoubt::common, kErrorOfInput, threshold_mm};
+    told.common = limits.centre_interval(turn, told.limit, largest_deg, question);
+    question.doubt = CentreDoubt::play;
+    told.play = limits.centre_interval(turn, told.limit, largest_deg, question);
+  }
   if (contact) told.half_mm_gap_deg = first_reached(limits.gap_of(turn, kErrorOfInput, largest_deg));
   // At a limit itself bones touch, without such a gap before; beyond low nothing is known.
   const bool at_limit = told.limit.state == LimitState::limited && told.half_mm_gap_deg == told.limit.low_deg;

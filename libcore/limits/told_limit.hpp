@@ -16,8 +16,10 @@ inline constexpr double kErrorOfInput = 0.5;
 struct ToldLimit {
   double threshold_mm = 0.0;  // 0: contact of bones; else the gap of a vertex
   TurnLimit limit;            // of the meshes as they are
-  CentreInterval common;      // for every common centre within kErrorOfInput of the given one
-  CentreInterval play;        // for every play of the ball up to kErrorOfInput
+  /// For every common centre within kErrorOfInput of the given one. Of a ball that reaches less than 2 mm
+  /// from the centre nothing is told here, and of its play.
+  CentreInterval common;
+  CentreInterval play;  // for every play of the ball up to kErrorOfInput
   /// For contact only: the angle at which a vertex first has a gap of kErrorOfInput or less; nothing if no
   /// vertex has one up to the low end of the limit, as where edges touch and all vertices are farther away.
   std::optional<double> half_mm_gap_deg;

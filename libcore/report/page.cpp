@@ -341,6 +341,10 @@ std::string volume_section(const ReportParts& parts) {
   text += formatted(
       ". Both ends are proven; %.0f %% may stay undecided here, impinge volume --width 0.01 decides more.",
       100.0 * parts.request["width"].get<double>());
+  if (volume["by_radii"])
+    text +=
+        " Blocked includes where the ball reaches beyond the socket along a ray though no surfaces meet, as "
+        "the socket is a sheet; limits may go further.";
   return section("rotations", "All rotations at once", parts.volume + paragraph(text));
 }
 

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,9 +18,11 @@
 #include <gtest/gtest.h>
 
 #include "joint/joint_folder.hpp"
+#include "mesh/bodies.hpp"
 #include "mesh/collinear.hpp"
 #include "mesh/icosphere.hpp"
 #include "mesh/io.hpp"
+#include "mesh/lengths.hpp"
 #include "reference/meeting_surfaces.hpp"
 #include "support/dice.hpp"
 #include "support/joined.hpp"
@@ -87,7 +90,7 @@ TEST(TheoremNear, MeetWhereCgalSaysSo) {
 TEST(MovedFaces, LengthsOfAnySize) {
   Dice dice(2);
   Answers seen;
-  for (const double scale : {1e-25, 1e-12, 1e-3, 1e6, 1e15}) {
+  for (const double scale : {1e-12, 1e-3, 1e6, 1e15, 5e15}) {
     for (int round = 0; round < 40; ++round) {
       const TriangleMesh ball = scaled(mixed(dice, 30), scale);
       const TriangleMesh socket = scaled(mixed(dice, 30), scale);
@@ -96,6 +99,15 @@ TEST(MovedFaces, LengthsOfAnySize) {
     }
   }
   seen.expect_both(20);
+  const TriangleMesh half = octahedron(0.5 * kMostFloatLength);
+  for (const auto& [shift, meets] : {std::pair{0.9, true}, {1.0, true}, {1.01, false}}) {
+    const Vec3 by = shift * kMostFloatLength * Vec3::UnitX();
+    EXPECT_EQ(meet(half, half, {Eigen::Matrix3d::Identity(), by}), meets) << shift;
+  }
+  for (const double length : {0.5 * kLeastFloatLength, 2.0 * kMostFloatLength}) {
+    EXPECT_THROW(MovedFaces{octahedron(length)}, std::invalid_argument);
+    EXPECT_THROW(FixedFaces{octahedron(length)}, std::invalid_argument);
+  }
 }
 
 // Common planes, edges and corners, in turns that are exact.

@@ -55,6 +55,24 @@ TEST(ToldLimit, OfACornerAndAWallIsAnArcsine) {
   EXPECT_EQ(blocked.half_mm_gap_deg, 0.0);
 }
 
+// In other units the limit is the same, however small they are; then half a millimetre tells nothing.
+TEST(ToldLimit, OfTinyUnitsIsToldWithoutOtherCentres) {
+  for (const double unit : {1.0, 1e-3, 0x1p-40}) {
+    BallSocketPair joint{sphere(20.0, 2000), cup(26.0, 60.0, 1000)};
+    test::add_face(joint.ball, {21, -1, 0}, {21, 1, 0}, {30, 0, 1});
+    for (TriangleMesh* mesh : {&joint.ball, &joint.socket}) {
+      for (Vec3& x : mesh->vertices) x *= unit;
+    }
+    const ToldLimit told = told_limit(TurnLimits(joint), {.axis = -Vec3::UnitY()}, 0.0, 90.0);
+    EXPECT_EQ(told.limit.state, LimitState::limited);
+    EXPECT_NEAR(told.limit.low_deg, 28.0, 2.0) << "the rim";
+    EXPECT_EQ(told.common.low_deg > 20.0, unit == 1.0) << told.common.low_deg;
+    EXPECT_EQ(told.play.low_deg > 20.0, unit == 1.0) << told.play.low_deg;
+    EXPECT_FALSE(unit != 1.0 && (told.common.limited || told.play.limited));
+    EXPECT_TRUE(unit == 1.0 || told.hangs_on_less());
+  }
+}
+
 // Two edges across each other meet where the one that turns, sqrt(442) mm from the axis, is at the height
 // 20 mm of the other. All corners are farther away until the turning edge comes to the far end of that one.
 TEST(ToldLimit, OfEdgesHasNoGapOfVerticesBeforeIt) {

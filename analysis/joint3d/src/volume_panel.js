@@ -58,7 +58,7 @@ export class VolumePanel extends ApartPanel {
   }
 
   draw() {
-    const { map, share_low: low, share_high: high, reachable_low: least, reachable_high: most } = this.found;
+    const { map, share_low: low, share_high: high, reachable_low: least, reachable_high: most, by_radii: byRadii } = this.found;
     const { range_deg: ranges, step, flexion, abduction } = map;
     const x = (angle) => MAP.left + ((angle - flexion[0]) / (flexion[1] - flexion[0])) * (MAP.width - MAP.left - MAP.right);
     const y = (angle) => MAP.top + ((abduction[1] - angle) / (abduction[1] - abduction[0])) * (HEIGHT - MAP.top - MAP.bottom);
@@ -74,7 +74,8 @@ export class VolumePanel extends ApartPanel {
     const entries = [...[0, 30, 60, 90, DARKEST].map((range) => [range, `${range}${range === DARKEST ? "+" : ""}`]), [BLOCKED, "blocked"], [UNDECIDED, "undecided"]];
     byId("volume-key").replaceChildren("rotation without contact, internal and external together, degrees:", ...entries.map(([range, text]) => keyRow({ colours: [mapColour(range)], text })));
     this.say(`Of all rotations ${percent(low, roundedDown)} to ${percent(high, roundedUp)} % are free of contact, and `
-      + `${percent(least, roundedDown)} to ${percent(most, roundedUp)} % can be reached from the pose of the scan without contact: proven, for the surfaces and their edges.`);
+      + `${percent(least, roundedDown)} to ${percent(most, roundedUp)} % can be reached from the pose of the scan without contact: proven, for the surfaces and their edges.`
+      + (byRadii ? " Blocked includes where the ball reaches beyond the socket along a ray though no surfaces meet, as the socket is a sheet; limits may go further." : ""));
     this.posed();
   }
 

@@ -236,6 +236,7 @@ class VolumeAnswer(TypedDict):
     reachable_low: float  # share that is reached from the pose of the scan without contact, at least
     reachable_high: float  # at most
     neutral_blocked: bool  # is the pose of the scan blocked?
+    by_radii: bool  # does radial overlap block, too, as the socket is a sheet? `limits` may then go further
     unknown: float  # share of which nothing is known: the ball's mesh ends there
     open: float  # share that is undecided
     cells_asked: int  # cells of rotations that were decided
