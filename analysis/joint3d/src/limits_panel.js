@@ -4,7 +4,8 @@ import { byId, make, roundedDown, roundedUp } from "./elements.js";
 
 const WAIT = 350; // ms of rest before they are worked out again
 const COLUMNS = [["ball", false], ["socket", false], ["ball", true]]; // about whose centre, and with cartilage
-const CSV = ["joint", "motion", "threshold_mm", "centre", "state", "low_deg", "high_deg", "centre_low_deg", "centre_high_deg", "half_mm_gap_deg", "clock", "what"];
+const CSV = ["joint", "motion", "threshold_mm", "centre", "state", "low_deg", "high_deg", "centre_low_deg", "centre_high_deg", "half_mm_gap_deg", "clock", "what", "play_low_deg",
+  "play_high_deg", "hangs_on_less_than_half_mm"];
 
 /** One limit, short, and in full where a reader points at it. */
 function shortly({ state, low_deg: low, high_deg: high, clock, what }) {
@@ -22,7 +23,8 @@ function shortly({ state, low_deg: low, high_deg: high, clock, what }) {
 export function limitsCsv(joint, rows, shift = "") {
   const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const line = (motion, limit) => [quoted(joint), motion, limit.threshold_mm, limit.centre, limit.state, limit.low_deg, limit.high_deg,
-    limit.centre_low_deg, limit.centre_high_deg, limit.half_mm_gap_deg, limit.clock, quoted([shift, limit.what].filter(Boolean).join("; "))];
+    limit.centre_low_deg, limit.centre_high_deg, limit.half_mm_gap_deg, limit.clock, quoted([shift, limit.what].filter(Boolean).join("; ")),
+    limit.play_low_deg, limit.play_high_deg, limit.hangs_on_less_than_half_mm ? "yes" : "no"];
   const lines = rows.flatMap(({ motion, limits }) => limits.map((limit) => line(motion.name, limit).map((cell) => cell ?? "").join()));
   return [CSV.join(), ...lines, ""].join("\n");
 }
