@@ -143,8 +143,6 @@ void check_units(const JointInput& input, const Facing& found, Joint& joint) {
   const std::string apart =
       different_units(reach_of(joint.ball.mesh), reach_of(joint.socket.mesh), found.ratio);
   if (!apart.empty()) refuse_mesh(input.socket, apart);
-  const std::string wrong = wrong_unit(found.ball_radius);
-  if (!wrong.empty()) refuse_mesh(input.ball, wrong);
   const std::string doubt = doubtful_unit(found.ball_radius);
   if (!doubt.empty()) {
     add_doubt(joint, input.ball.name + ": " + doubt);
@@ -355,6 +353,11 @@ Joint with_whole_socket(Joint joint) {
   socket.parts = std::move(whole.parts);
   socket.taken.reset();
   return joint;
+}
+
+void require_mm(const Joint& joint, const std::string& ball) {
+  const std::string wrong = joint.fit ? wrong_unit(joint.fit->radius) : "";
+  if (!wrong.empty()) throw std::runtime_error(ball + ": " + wrong);
 }
 
 void require_no_parts(const Joint& joint, const std::string& what) {
