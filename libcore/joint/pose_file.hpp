@@ -17,8 +17,7 @@ namespace impinge {
 /// A CSV has commas, semicolons or tabs between its words (with the latter two a decimal comma is read), with
 /// or without quotes. Its header has names in any case and no number; rows that are matrices of 12 or 16
 /// numbers need none. Columns `frame` and `time` are kept, `Valid_pose` is not read. The others are one of:
-///   * angles and shifts of one of the first three kinds of PoseKind; also hip_flexion_r, hip_adduction_r and
-///     hip_rotation_r (or _l, by the side) as in OpenSim, degrees;
+///   * angles and shifts of one of the first three kinds of PoseKind;
 ///   * qw, qx, qy, qz: a quaternion, w first. With tx, ty, tz (mm) it is x' = R x + t in the frame of the
 ///     meshes; without, R turns about the centre of rotation, in the axes of the meshes;
 ///   * 12 or 16 columns of other names: a matrix, row by row, x' = M x, in the frame of the meshes, mm;
