@@ -182,7 +182,7 @@ std::string describe(const LimitsAnswer& found) {
   if (!one && std::any_of(found.limits.begin(), found.limits.end(), [](const LimitAnswer& limit) {
         return of_contact(limit) && limit.told.hangs_on_less();
       }))
-    text += formatted("sensitive           means by more than %g degrees\n", kOfNote);
+    text += formatted("sensitive           means that the limit may be more than %g degrees off\n", kOfNote);
   if (found.rim_in_head_mm)
     text += "rim                 in the head as scanned, up to " + rounded_up(*found.rim_in_head_mm, 1) +
             " mm deep: there it meets the neck late, or not at all; see --overlap\n";
