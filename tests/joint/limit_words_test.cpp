@@ -93,7 +93,8 @@ TEST(LimitWords, TellOfANeckThatIsCutOff) {
   Hip hip = make_hip(right("normal"), 3000);
   const Hip whole = hip;
   std::erase_if(hip.ball.faces, [&](const Face& f) { return corner(hip.ball, f, 0).norm() > 1.5 * radius; });
-  const LimitsRequest flexion{.motions = {"flexion"}};
+  LimitsRequest flexion;
+  flexion.motions = {"flexion"};
   Session cut = session_of(std::move(hip), Vec3::Zero());
   const std::optional<double> at = answer(cut, flexion).ball_cut_mm;
   ASSERT_TRUE(at);
@@ -117,7 +118,9 @@ TEST(LimitWords, HideNoDoubtBehindAnother) {
   EXPECT_EQ(answer.told.sensitivity(), "sensitive to 0.5 mm of the centre and of play");
   answer.told.half_mm_gap_deg.reset();
   EXPECT_EQ(answer.told.sensitivity(), "sensitive to 0.5 mm of the centre");
-  answer.told.limit = {.state = LimitState::unknown, .low_deg = 40.0};
+  answer.told.limit.state = LimitState::unknown;
+  answer.told.limit.low_deg = 40.0;
+  answer.told.limit.leaves_mesh_deg.reset();
   answer.unknown_by = UnknownBy::opening;
   EXPECT_EQ(answer.what(), "rim and neck; hangs on an opening of a mesh");
 }
