@@ -20,7 +20,7 @@ from common.drawing import key, look, marks, note
 from common.heads import job_of
 from common.loading import as_text, load
 from common.sidecars import Refused, sidecar
-from common.thesis_values import counterparts, methods_of, reading_names, readings, thesis
+from common.thesis_values import counterparts, methods_of, reading_names, readings, same_number, thesis
 from common.wording import digits, digits_up, label, number, plain, rounded_down, rounded_up, scheme_labels, tex
 from common.writing import groups, ruled, tabular, write, write_table
 

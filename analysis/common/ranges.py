@@ -27,7 +27,8 @@ class Range:
     high: float
 
     def __truediv__(self, other: "Range") -> "Range":
-        return Range(self.low / other.high, self.high / other.low)
+        """Open above if the other may be nothing."""
+        return Range(self.low / other.high, self.high / other.low if other.low > 0 else math.inf)
 
     def widened(self, factor: float) -> "Range":
         """The range of a positive quantity, widened by the factor both ways."""
@@ -69,17 +70,29 @@ def time_range(time: float, spread: float, rounds: int) -> Range:
     return Range(max(time - off, time / ONCE), time + off)
 
 
+def _weights(logs: list[float]) -> list[float]:
+    """How each value enters the slope of the line that fits best."""
+    mean = sum(logs) / len(logs)
+    return [(value - mean) / sum((other - mean) ** 2 for other in logs) for value in logs]
+
+
 def slope_range(x: Iterable[float], y: Iterable[Range]) -> Range:
     """The range of the exponent of the power law that fits best in logarithms. Each range errs by itself, and a machine may
     favour one end of the sizes.
     """
     logs, y = [math.log(value) for value in x], list(y)
-    mean = sum(logs) / len(logs)
-    weights = [(value - mean) / sum((other - mean) ** 2 for other in logs) for value in logs]
+    weights = _weights(logs)
     middle = sum(weight * math.log(one.low * one.high) / 2 for weight, one in zip(weights, y))
     own = math.hypot(*(weight * math.log(one.high / one.low) / 2 for weight, one in zip(weights, y)))
     off = own + math.log(MACHINE) / (max(logs) - min(logs))
     return Range(middle - off, middle + off)
+
+
+def slope_limits(x: Iterable[float], y: Iterable[Range]) -> Range:
+    """The least and the largest such exponent if each value may lie anywhere in its range, which may begin at nothing."""
+    ends = [sorted(weight * (math.log(end) if end > 0 else -math.inf) for end in (one.low, one.high))
+            for weight, one in zip(_weights([math.log(value) for value in x]), y)]
+    return Range(sum(low for low, _ in ends), sum(high for _, high in ends))
 
 
 def steadied(table: pd.DataFrame, kept: Path, keys: list[str], noted: str) -> pd.DataFrame:

@@ -3,6 +3,7 @@
 """What the thesis prints, and which method of ours represents which column of its tables."""
 
 import itertools
+from decimal import Decimal, InvalidOperation
 from pathlib import Path
 
 import pandas as pd
@@ -14,6 +15,16 @@ def thesis(artefact: str | None = None) -> pd.DataFrame:
     """The values that the thesis prints, as text, since digits count. Columns artefact,row,column,value ..."""
     values = pd.read_csv(HERE / "thesis_values.csv", dtype=str, keep_default_na=False)
     return values if artefact is None else values[values.artefact == artefact]
+
+
+def same_number(one: str, other: str) -> bool:
+    """Are two printed texts the same, or the same number, one printed with fewer digits?"""
+    try:
+        numbers = [Decimal(text) for text in (one, other)]
+    except InvalidOperation:
+        return one == other
+    last = max(number.as_tuple().exponent for number in numbers)
+    return abs(numbers[0] - numbers[1]) <= Decimal(5).scaleb(last - 1)
 
 
 def _counterparts(artefact: str) -> pd.DataFrame:

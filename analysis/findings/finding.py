@@ -13,8 +13,9 @@ import pandas as pd
 import common
 from common.ranges import Range
 
-COLUMNS = ["where", "claim", "computed", "low", "high", "evidence", "verdict", "source"]
+COLUMNS = ["said_by", "where", "claim", "computed", "low", "high", "evidence", "verdict", "source"]
 VERDICTS = ("holds", "wrong", "misprint", "imprecise", "inconclusive")
+THESIS = "thesis"  # who said it: the thesis, the note, or papers
 ARITHMETIC = "no data: arithmetic with the thesis' own numbers"  # evidence of what needs no experiment
 READING = "no data: two places of the thesis' text, read"  # evidence of what no number of ours decides
 
@@ -24,7 +25,9 @@ class Finding(dict[str, str]):
 
 
 def rows(module: ModuleType, results: Path) -> list[Finding]:
-    """The results of a module's functions that return a Finding, or several, in their order."""
+    """The results of a module's functions that return a Finding, or several, in their order. SAID_BY of the module is who said it,
+    if not the thesis.
+    """
     found = []
     for function in vars(module).values():
         if isinstance(function, FunctionType) and function.__module__ == module.__name__:
@@ -32,7 +35,7 @@ def rows(module: ModuleType, results: Path) -> list[Finding]:
             if returned in (Finding, list[Finding]):
                 said = function(results) if function.__code__.co_argcount else function()
                 found += [said] if returned is Finding else said
-    return found
+    return [Finding(one, said_by=getattr(module, "SAID_BY", THESIS)) for one in found]
 
 
 def finding(where: str, claim: str, computed: str, evidence: str, **rest: object) -> Finding:

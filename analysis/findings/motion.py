@@ -7,6 +7,7 @@ from pathlib import Path
 from common import volume
 from findings.finding import Finding, finding, load, rounded
 
+SAID_BY = "papers"
 NEAR = 1.0  # degrees, as the slope is printed to half a degree of a sample
 
 

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # @data      conchoid_angles conchoid_shape finding_interpolation helix_placement sampling_error_bounds scheme_savings schemes
-# @depends   verdicts.csv
 """Statements of the working note with which this reproduction began. Its list of suspected errors of the thesis is held to
-the same standard. Then the misprints that verdicts.csv names.
+the same standard.
 """
 
 from pathlib import Path
@@ -12,6 +11,7 @@ import pandas as pd
 import common
 from findings.finding import Finding, finding, load, one, rounded
 
+SAID_BY = "note"
 FEW_PER_CENT = 0.03
 
 
@@ -189,19 +189,3 @@ def face_bound(results: Path) -> Finding:
         holds=nearest.empty,
         otherwise="imprecise",
     )
-
-
-def misprints(results: Path) -> list[Finding]:
-    """A finding for each number that verdicts.csv calls a misprint of the thesis."""
-    verdicts = common.as_text(results / "verdicts.csv")
-    return [
-        finding(
-            row.artefact.replace("table-", "Table ").replace("section-", ""),
-            f"{row.row.replace('_', ' ')}, {row.column.replace('_', ' ')}: {row.thesis} {row.unit}.",
-            f"{float(row.measured):,.5g} {row.unit}: {row.note}.",
-            "verdicts.csv: measured",
-            holds=False,
-            otherwise="misprint",
-        )
-        for row in verdicts[verdicts.verdict == "thesis-misprint"].itertuples()
-    ]

@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the thesis contradicts itself, a formula or a clock: formulas, references, axes, tables (Chapters 3 to 5)."""
+# @depends   verdicts.csv
+"""Where the thesis contradicts itself, a formula or a clock: formulas, references, axes, tables (Chapters 3 to 5). Then the
+misprints that verdicts.csv names.
+"""
 
 import math
 import re
+from pathlib import Path
 
 import common
 from common import timing
@@ -21,9 +25,10 @@ def arctangent() -> Finding:
         "Eq. 6",
         "The arctangent of y / x is theta, from 0 to 360 degrees.",
         f"Of {len(azimuths)} directions about the axis {right} come out, {turned} a turn too low and {opposite}, those with "
-        "x < 0, as the opposite direction: the signs of both x and y are needed.",
+        "x < 0, as the opposite direction: the signs of both x and y are needed, which so short a notation may mean.",
         ARITHMETIC,
         holds=opposite == 0,
+        otherwise="imprecise",
     )
 
 
@@ -156,14 +161,30 @@ def rapid_times() -> Finding:
         {(value.row, value.column): value.value for value in common.thesis(table).itertuples()}
         for table in ("table-4", "table-9")
     )
-    other = [key for key in first if first[key] != second[key]]
-    (key,) = other or [("12k", "rapid")]
+    key = ("12k", "rapid")
+    others = [name for name in first if name != key]
     return finding(
         "Tables 4, 9",
         f"RAPID takes {first[key]} ms at 12,000 triangles.",
-        f"In Table 4; in Table 9 it is {second[key]} ms, {100 * (float(first[key]) / float(second[key]) - 1):.1f} % less. The other "
-        f"{len(first) - len(other)} entries that they share are the same.",
+        f"In Table 4; in Table 9 it is {second[key]} ms, which rounds to it. Of the other {len(others)} entries that they share "
+        f"{sum(first[name] == second[name] for name in others)} are the same.",
         ARITHMETIC,
-        holds=not other,
+        holds=all(common.same_number(first[name], second[name]) for name in first),
         otherwise="imprecise",
     )
+
+
+def misprints(results: Path) -> list[Finding]:
+    """A finding for each number that verdicts.csv calls a misprint of the thesis."""
+    verdicts = common.as_text(results / "verdicts.csv")
+    return [
+        finding(
+            row.artefact.replace("table-", "Table ").replace("section-", ""),
+            f"{row.row.replace('_', ' ')}, {row.column.replace('_', ' ')}: {row.thesis} {row.unit}.",
+            f"{float(row.measured):,.5g} {row.unit}: {row.note}.",
+            "verdicts.csv: measured",
+            holds=False,
+            otherwise="misprint",
+        )
+        for row in verdicts[verdicts.verdict == "thesis-misprint"].itertuples()
+    ]

@@ -37,8 +37,8 @@ function round(engine, [scheme, precision_deg, storage], turn) {
   const scans = [];
   const questions = [];
   for (let k = 0; k < kPoses; ++k) {
-    const pose = { flexion: (7 * k + turn) % 110, abduction: (k % 5) * 4, internal_rotation: (3 * k) % 30, cartilage_mm: 4 };
-    const asked = question(engine, 'pose', pose);
+    const pose = [(7 * k + turn) % 110, (k % 5) * 4, (3 * k) % 30];
+    const asked = question(engine, 'pose', { pose, cartilage_mm: 4 });
     scans.push(asked.reply.ms);
     questions.push(asked.ms);
   }

@@ -10,7 +10,7 @@ the timed data.
 Keys: count:VERDICT and :all, count:ARTEFACT:VERDICT or :all that were not given, each number of the thesis once;
 count:KIND:VERDICT and :all for computed, measured and given; thesis, measured, low and rounded:ARTEFACT:ROW:COLUMN;
 exponent:DATA:METHOD (of what was measured) and exponent-thesis:...; ratio:DATA:KEY:METHOD/METHOD of our
-times of the generated pair, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA; finding:VERDICT, :all;
+times of the generated pair, as ratio:sampling_time:0.05:usid/rsid; rounds, control and inconclusive:DATA; finding:VERDICT, :all of the thesis, :others;
 one for each number of further CSVs (see MODULES), as scheme:usid:covering_constant;
 difference:JOINT:SURFACE:largest (mm), :changed and :vertices of the gaps by the thesis' two tables; and the
 machine: cpu, cores, compiler, flags, commit and profile.
@@ -119,10 +119,11 @@ def difference_facts(results: Path) -> dict[str, str]:
 
 
 def finding_facts(results: Path) -> dict[str, str]:
-    """How many statements hold, and how many do not."""
+    """How many statements of the thesis hold, and how many do not."""
     table = pd.read_csv(results / "tables" / "findings.csv")
-    facts = {f"finding:{name}": str((table.verdict == name).sum()) for name in finding.VERDICTS}
-    return facts | {"finding:all": str(len(table))}
+    own = table[table.said_by == finding.THESIS]
+    facts = {f"finding:{name}": str((own.verdict == name).sum()) for name in finding.VERDICTS}
+    return facts | {"finding:all": str(len(own)), "finding:others": str(len(table) - len(own))}
 
 
 def main(options) -> None:

@@ -16,7 +16,7 @@ MEANINGS = {
     "reproduced": "meets its rule",
     "differs": "does not meet it",
     "inconclusive": "a part of its range does",
-    "thesis-misprint": "wrong in the thesis",
+    "thesis-misprint": "slip in the thesis",
     "not-comparable": "of another machine or patient",
     "input": "given, not computed",
 }

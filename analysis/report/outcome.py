@@ -14,6 +14,7 @@ import pandas as pd
 import common
 from common import error_panel, limit_time, motion_limits, scene_needs, stability, tally, work_precision
 from common.jobs import Job
+from findings import finding
 from report import data_table, picture, section
 from report.artefacts import row_label, title_of
 from report.judged import MARKS, MEANINGS
@@ -22,35 +23,38 @@ from verdicts import verdict
 
 SHOWN = "thousand"  # the panel of the main plot: all gaps of 1,000 poses
 COMPARED = ("reproduced", "differs", "inconclusive", "thesis-misprint")
-KINDS = {"computed": "computed from formulas", "measured": "measured"}
-WORDS = {"holds": "hold", "misprint": "misprints", "inconclusive": "undecided"}
-TITLES = {"artefact": "where", "measured": "this run", "note": "why", "claim": "the thesis says", "computed": "what came out"}
+KINDS = {"computed": "{} that follow from formulas {} are reproduced", "measured": "{} that are measured {}"}
+WORDS = {"holds": "{} hold", "imprecise": "{} are imprecise", "misprint": "{} are misprints", "wrong": "{} are wrong", "inconclusive": "{} are undecided"}
+TITLES = {"artefact": "where", "measured": "this run", "note": "why", "claim": "the statement", "computed": "what came out"}
 
 
 def totals(verdicts: pd.DataFrame, results: Path) -> str:
     """How often each verdict was given, each number of the thesis once."""
     rows = verdict.counted(verdicts)
     found = rows.verdict.value_counts()
+    record = common.sidecar(min((results / "data").glob("*.csv")))
+    run = f"{record['profile']} run, {record['cores']} cores"
     tiles = "".join(
         element("li", f"<b>{found[name]}</b> {element('span', name, class_=f'verdict {name}')}<br>{MEANINGS[name]}")
         for name in MARKS
         if name in found
     )
     kinds = [
-        f"{own['reproduced']} of the {sum(own[name] for name in COMPARED)} {KINDS[kind]}"
+        "of " + KINDS[kind].format(sum(own[name] for name in COMPARED), own["reproduced"])
         for kind, own in tally.counts(rows.to_dict("records")).items()
         if kind in KINDS
     ]
-    said = statements(results).verdict.value_counts()
-    counts = ", ".join(f"{count} {WORDS.get(name, name)}" for name, count in said.items())
+    said = statements(results)
+    own = said[~said.other].verdict.value_counts()
+    counts = ", ".join(text.format(own[name]) for name, text in WORDS.items() if name in own)
     links = {"What differs": "differing", "statements": "findings", "all verdicts": "verdicts-all"}
     compared = sum(found.get(name, 0) for name in COMPARED)
     return (
-        element("h2", f"Reproduced: {found.get('reproduced', 0)} of the {compared} numbers of the thesis that can be compared")
+        element("h2", f"Reproduced: {found.get('reproduced', 0)} of the {compared} numbers of the thesis that can be compared ({run})")
         + element("ul", tiles, class_="totals")
         + element(
             "p",
-            f"{', '.join(kinds)}. Of {said.sum()} statements {counts}. "
+            f"{'; '.join(kinds).capitalize()}. Of {own.sum()} statements of the thesis {counts}; {said.other.sum()} of others are listed apart. "
             + " · ".join(element("a", title, href=f"#{name}") for title, name in links.items()),
             class_="soft",
         )
@@ -205,16 +209,18 @@ def differing(results: Path) -> str:
 
 
 def statements(results: Path) -> pd.DataFrame:
-    """Those of the thesis that do not hold come first."""
+    """Those of the thesis that do not hold come first, and those of others last."""
     table = common.as_text(results / "tables" / "findings.csv")
     order = table.verdict.map({"wrong": 0, "misprint": 1, "imprecise": 2, "inconclusive": 3}).fillna(4)
-    return table.assign(order=order).sort_values("order", kind="stable")[["number", "where", "claim", "computed", "verdict"]]
+    return table.assign(order=order, other=table.said_by != finding.THESIS).sort_values(["other", "order"], kind="stable")
 
 
 def said(results: Path, job: Job) -> str:
     """All statements; job: the table of them."""
-    table = statements(results).rename(columns=TITLES)
-    return fold("Statements of the thesis", data_table.grid(table, None, cards=True) + section.origin(job), job.name, f"{len(table)} that were looked into")
+    table = statements(results)
+    count = f"{(~table.other).sum()} that were looked into, and {table.other.sum()} of others"
+    table = table[["number", "where", "claim", "computed", "verdict"]].rename(columns=TITLES)
+    return fold("Statements of the thesis", data_table.grid(table, None, cards=True) + section.origin(job), job.name, count)
 
 
 def first(results: Path) -> str:

@@ -6,7 +6,7 @@ import math
 from pathlib import Path
 
 import common
-from verdicts.verdict import printed_row
+from verdicts.verdict import claim_row
 
 HELIX, ARCS, GRID = "usid", "usid_arc", "rsid"  # the two systems that Section 4.4 compares, the first by both readings
 PRECISION = 1.0  # degrees, of what is said of one precision
@@ -30,7 +30,7 @@ def rows(results: Path) -> list[dict]:
         f"(99.99th percentile) and {other.interpolation_rms:.1f} % (root mean square): scheme_savings.csv"
     )
     return [
-        printed_row(value, saved["bytes"][PRECISION], note, also=[*saved["bytes"], *arcs])
+        claim_row(value, [*saved["bytes"], *arcs], ", at every precision and by both readings of the helix", note)
         for value in common.thesis("section-4.4").itertuples()
         if (value.row, value.column) == ("saving", "memory")
     ]

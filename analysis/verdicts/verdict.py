@@ -11,6 +11,7 @@ from common.tally import NOT_COUNTED
 
 COLUMNS = [*"artefact row column kind thesis measured low high unit rule tolerance verdict note".split()]
 KINDS = {"formula": "computed", "timing": "measured", "observation": "measured", "input": "given"}  # of a value of the thesis
+CLAIM_TOLERANCE = 2  # percentage points; the thesis gives its claims in tens, as "about 20%" or "up to 30%"
 VERDICTS = ("reproduced", "differs", "inconclusive", "thesis-misprint", "not-comparable", "input")
 
 
@@ -66,6 +67,26 @@ def printed_row(value, measured: float, note: str = "", otherwise: str = "differ
         rule="equal when rounded to the digits printed",
         tolerance="half a unit of the last digit",
         verdict="inconclusive" if len(good) > 1 else "reproduced" if good == {True} else otherwise,
+        note=note,
+    )
+
+
+def near_claim(percent: float, value: str) -> bool:
+    """Does it meet a claim in tens of per cent?"""
+    return abs(percent - float(value)) <= CLAIM_TOLERANCE
+
+
+def claim_row(value, readings: list[float], rule: str, note: str) -> dict[str, object]:
+    """A claim in tens of per cent, by every way to read it, the first of which is shown: all must meet it, or none."""
+    good = {near_claim(percent, value.value) for percent in readings}
+    return value_row(
+        value,
+        kind="computed",
+        measured=common.plain(readings[0]),
+        **ranged(Range(min(readings), max(readings))),
+        rule=f"within {CLAIM_TOLERANCE} percentage points{rule}",
+        tolerance=f"{CLAIM_TOLERANCE} percentage points",
+        verdict="inconclusive" if len(good) > 1 else "reproduced" if good == {True} else "differs",
         note=note,
     )
 

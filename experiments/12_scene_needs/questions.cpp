@@ -133,13 +133,13 @@ LookedAt looked_at_by_gaps(AskedJoint& joint, Question question) {
   SessionJoint& session = *joint.session->joint;
   const BallSocketPair meshes{session.main(Surface::ball), session.main(Surface::socket)};
   const FacesMet met{&session.faces(Surface::socket), &session.faces(Surface::ball)};
-  const SceneNeeds needs{.question = question, .poses = {pose_of(joint)}};
+  const SceneNeeds needs{.question = question, .pose = pose_of(joint)};
   const NeededVertices vertices = needed_vertices(meshes, needs, met);
   std::size_t count = 0;
   for (std::size_t scan = 0; scan < 2; ++scan) {
     std::set<std::size_t> faces;
-    for (const VertexIndex v : vertices.in(scan, 0)) {
-      const Vec3 x = to_other(kSurfaces[scan], needs.poses[0], mesh_of(meshes, kSurfaces[scan]).vertices[v]);
+    for (const VertexIndex v : vertices.of[scan]) {
+      const Vec3 x = to_other(kSurfaces[scan], needs.pose, mesh_of(meshes, kSurfaces[scan]).vertices[v]);
       met[scan]->any_hit(x, [&](std::size_t f, int /*side*/) {
         faces.insert(f);
         return false;
@@ -316,7 +316,7 @@ std::vector<AskedQuestion> questions_of(AskedJoint& joint, const Asking& asking,
   const auto volume = [width = asking.width](AskedJoint& of) { return our_volume(of, width); };
   std::vector<AskedQuestion> all{
       {"touch", {ours(our_touch)}, looked_at_by_touch(joint)},
-      {"smallest gap", {ours(our_smallest_gap)}, looked_at_by_gaps(joint, Question::first_contact)},
+      {"smallest gap", {ours(our_smallest_gap)}, looked_at_by_gaps(joint, Question::smallest_gap)},
       {"all gaps", {ours(our_gaps)}, looked_at_by_gaps(joint, Question::all_gaps)},
       {"limits", {ours(our_limits)}, looked_at_by_limits(joint)},
       {"volume", {ours(volume)}, {}},

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/answer_files.hpp"
-
 #include <algorithm>
 #include <exception>
 #include <stdexcept>
 #include <system_error>
 
+#include "command/question_command.hpp"
 #include "files/file_bytes.hpp"
 #include "files/file_set.hpp"
 
@@ -85,18 +84,18 @@ AnswerFolder::~AnswerFolder() {
   }
 }
 
-std::vector<std::string> AnswerFolder::write(const Told& told, Json& document, const Work& work) {
+std::vector<std::string> AnswerFolder::write(Told& told, const Work& work) {
   std::vector<std::string> names;
   for (const auto& file : told.wrote) names.push_back(file->target().filename().string());
   for (const AnswerFile& file : told.files) names.push_back(file.name);
   names.emplace_back(kSummary);
   for (const std::string& name : names) work.output(name);
   const std::vector<std::string> earlier = files_of_earlier(folder_);
-  document["files"] = names;
+  told.document["files"] = names;
   FileSet files;
   for (const auto& file : told.wrote) files.add(file);
   for (const AnswerFile& file : told.files) files.add(folder_ / file.name, file.bytes);
-  files.add(folder_ / kSummary, text_of(document));
+  files.add(folder_ / kSummary, text_of(told.document));
   files.commit();
   std::error_code unreadable;
   for (const fs::path& file : told.spent) fs::remove(file, unreadable);

@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "command/joint_command.hpp"
+#include "command/program.hpp"
 #include "files/file_error.hpp"
 
 namespace impinge {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hip/hip.hpp"
 
-#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "command/answer_files.hpp"
-#include "command/joint_command.hpp"
-#include "command/request_options.hpp"
+#include "command/program.hpp"
+#include "command/question_command.hpp"
 #include "files/file_set.hpp"
+#include "files/joined.hpp"
 #include "hip/hip_presets.hpp"
+#include "joint/pose_list.hpp"
 #include "mesh/generated_pair.hpp"
 #include "mesh/io.hpp"
 #include "mesh/mesh_format.hpp"
@@ -31,61 +31,42 @@ struct HipOptions {
   MeshFormat format = MeshFormat::ply;
 };
 
-// Adds a mesh as a file of this name, and returns the name.
-fs::path write(const HipOptions& options, const std::string& name, const TriangleMesh& mesh, FileSet& files) {
-  fs::path file = options.out / (name + '.' + std::string(word_of(options.format)));
-  files.add(file, mesh_bytes(file, mesh, {.axes = "RAS"}));
-  return file;
-}
-
-// Adds each part of a mesh as a file of its name. Returns the option that gives these files to a question.
-std::string write_parts(const HipOptions& options, const TriangleMesh& mesh,
-                        const std::vector<MeshPart>& parts, const std::string& option, FileSet& files) {
-  std::string text;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    std::string name = parts[k].name;
-    for (char& c : name) c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    text += " " + option + " " + write(options, name, part_surface(mesh, parts, k), files).string();
-  }
-  return text;
-}
-
-std::string write_both(const HipOptions& options, const BallSocketPair& meshes, FileSet& files) {
-  const fs::path ball = write(options, "ball", meshes.ball, files);
-  return ball.string() + " " + write(options, "socket", meshes.socket, files).string();
-}
-
 void make(const HipOptions& options, std::ostream& out) {
-  FileSet files;
-  if (options.name == kPair) {
-    if (!options.changes.empty())
-      throw std::invalid_argument("--set: changes a hip, and the pair is none; leave it out");
-    const AnswerFolder folder(options.out);
-    const std::string both = write_both(options, make_ball_socket_pair(options.faces), files);
-    files.commit();
-    out << "wrote               " << both << ": a ball in a socket" << std::endl;
-    return;
-  }
+  const bool pair = options.name == kPair;
+  if (pair && !options.changes.empty())
+    throw std::invalid_argument("--set: changes a hip, and the pair is none; leave it out");
   HipParameters parameters;
-  in_field("NAME", [&] { parameters = hip_preset(options.name); });
+  in_field("NAME", [&] {
+    if (!pair) parameters = hip_preset(options.name);
+  });
   in_field("--set", [&] {
     for (const std::string& change : options.changes) set_hip_parameter(parameters, change);
   });
-  const Hip made = make_hip(parameters, options.faces);
+  const Hip made = pair ? Hip() : make_hip(parameters, options.faces);
+  const BallSocketPair meshes = pair ? make_ball_socket_pair(options.faces) : main_surfaces(made);
   const AnswerFolder folder(options.out);
-  const std::string both = write_both(options, main_surfaces(made), files);
-  const std::string ask = " " + both + " --side " + std::string(word_of(parameters.side)) +
-                          write_parts(options, made.ball, made.ball_parts, "--ball-part", files) +
-                          write_parts(options, made.socket, made.socket_parts, "--socket-part", files);
+  FileSet files;
+  const auto write = [&](const std::string& name, const TriangleMesh& mesh) {
+    const fs::path file = options.out / (name + '.' + std::string(word_of(options.format)));
+    files.add(file, mesh_bytes(file, mesh, {.axes = "RAS"}));
+    return " " + file.string();
+  };
+  std::string written = write("ball", meshes.ball);
+  written += write("socket", meshes.socket);
+  std::string ask = written + " --side " + std::string(word_of(parameters.side));
+  const auto add_parts = [&](const char* option, const TriangleMesh& mesh,
+                             const std::vector<MeshPart>& parts) {
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      ask += option + write(plain_name(parts[k].name), part_surface(mesh, parts, k));
+  };
+  add_parts(" --ball-part", made.ball, made.ball_parts);
+  add_parts(" --socket-part", made.socket, made.socket_parts);
   files.commit();
-  out << "wrote               " << both << ": a " << word_of(parameters.side)
-      << " hip, axes RAS, the centre at the origin\nask it              impinge limits" << ask << std::endl;
-}
-
-std::vector<std::string> names() {
-  std::vector<std::string> all{kPair};
-  for (const std::string_view name : hip_preset_names()) all.emplace_back(name);
-  return all;
+  out << "wrote              " << written << ": a "
+      << (pair ? "ball in a socket"
+               : std::string(word_of(parameters.side)) + " hip, axes RAS, the centre at the origin\n" +
+                     "ask it              impinge limits" + ask)
+      << std::endl;
 }
 
 }  // namespace
@@ -94,9 +75,8 @@ void add_hip_command(CLI::App& program, const Screen& screen, std::function<void
   const auto options = std::make_shared<HipOptions>();
   CLI::App& app = *program.add_subcommand("hip", "A generated hip as two meshes, to try the questions on.");
   app.footer("Example: impinge hip cam --out cam_hip");
-  std::string listed;
-  for (const std::string& name : names()) listed += (listed.empty() ? "" : ", ") + name;
-  app.add_option("NAME", options->name, listed + " [normal]")->type_name("");
+  const std::string names = kPair + (", " + joined(hip_preset_names()));
+  app.add_option("NAME", options->name, names + " [normal]")->type_name("");
   app.add_option("--set", options->changes,
                  "a parameter of the hip (hip/hip_parameters.hpp has all); once or more")
       ->type_name("NAME=VALUE")

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/joint_command.hpp"
-
 #include <algorithm>
 #include <memory>
 #include <new>
 #include <thread>
 #include <utility>
 
-#include "command/answer_files.hpp"
 #include "command/joint_options.hpp"
+#include "command/program.hpp"
 #include "command/question_command.hpp"
-#include "command/slicer_module.hpp"
+#include "files/joined.hpp"
 #include "files/one_line.hpp"
-#include "joint/joint_folder.hpp"
 #include "joint/rest_contact.hpp"
 
 namespace impinge {
@@ -27,12 +24,10 @@ struct JointCommand {
   fs::path joints;  // a folder of joints, instead of a single one
   fs::path out;
   bool json = false;
-  bool quiet = false;
   bool schema = false;
   bool xml = false;
   const CLI::App* app = nullptr;
-  std::size_t threads = 0;
-  MeshFormat mesh_format = MeshFormat::ply;
+  Work work{.threads = std::max(1U, std::thread::hardware_concurrency())};
 };
 
 Json document_schema(const QuestionCommand& question) {
@@ -53,14 +48,8 @@ Json document_schema(const QuestionCommand& question) {
   return schema;
 }
 
-struct Answered {
-  Told told;
-  Json document;
-};
-
-// Reads a joint and asks the question.
-Answered ask(const JointCommand& command, const JointOptions& options, const Work& work,
-             const Screen& screen) {
+// Reads a joint and asks the question. The document of what is told is that of summary.json.
+Told ask(const JointCommand& command, const JointOptions& options, const Work& work, const Screen& screen) {
   Stopwatch watch;
   const QuestionCommand& question = command.question;
   if (options.cartilage_mm) question.use_cartilage(*options.cartilage_mm);
@@ -72,15 +61,13 @@ Answered ask(const JointCommand& command, const JointOptions& options, const Wor
     said += formatted("cartilage           %g mm, the smallest gap as scanned\n", thickness);
   }
   const double read_ms = watch.lap_ms();
-  const Joint& joint = session.joint->joint;
   if (!command.json) screen.out << said << std::flush;
-  for (const std::string& warning : joint.warnings)
-    screen.log << "impinge: warning: " << one_line(warning) << std::endl;
-  Answered answered{.told = question.ask(session, work), .document = {}};
-  answered.document =
+  for (const std::string& warning : session.joint->joint.warnings) work.warn(warning);
+  Told told = question.ask(session, work);
+  told.document =
       document_of(question.name, json_of(describe(*session.joint, names_of(options))), question.request(),
-                  answered.told.document, {{"read", read_ms}, {"answer", watch.lap_ms()}});
-  return answered;
+                  std::move(told.document), {{"read", read_ms}, {"answer", watch.lap_ms()}});
+  return told;
 }
 
 void add_rows(const std::string& joint, const Table& rows, Table& table) {
@@ -107,18 +94,16 @@ Cell cell_at(const Json& document, const std::string& pointer) {
 Table row_of_one(const Told& told) {
   Table table;
   std::vector<Cell> row;
-  for (const HeadlineColumn& column : told.row_of_one) {
-    table.columns.push_back({column.name, "", ""});
-    row.push_back(cell_at(told.document, column.at));
+  for (const auto& [column, at] : told.row_of_one) {
+    table.columns.push_back({column, "", ""});
+    row.push_back(cell_at(told.document["answer"], at));
   }
   table.add_row(std::move(row));
   return table;
 }
 
 std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
-  return names.size() > 1 ? "{" + text + "}" : text;
+  return names.size() > 1 ? "{" + joined(names, ",") + "}" : names.front();
 }
 
 void add_table(Told& told) {
@@ -129,19 +114,14 @@ void add_table(Told& told) {
 }
 
 // `older` are files of an earlier answer.
-void tell_written(const fs::path& folder, const Told& told, const std::vector<std::string>& older,
-                  const JointCommand& command, const Screen& screen) {
-  std::vector<std::string> names;
-  for (const auto& file : told.wrote) names.push_back(file->target().filename().string());
-  for (const AnswerFile& file : told.files) names.push_back(file.name);
-  names.emplace_back("summary.json");
+void tell_written(const Told& told, const std::vector<std::string>& older, const JointCommand& command,
+                  const Screen& screen) {
+  const std::string folder = command.out.string() + "/";
   if (!command.json)
-    screen.out << "wrote               " << folder.string() << "/" << listed(names) << std::endl;
+    screen.out << "wrote               " << folder << listed(told.document["files"]) << std::endl;
   if (!older.empty())
-    screen.log << "impinge: warning: "
-               << one_line(folder.string() + "/" + listed(older) +
-                           " is left from an earlier command: it says nothing about this one")
-               << std::endl;
+    command.work.warn(folder + listed(older) +
+                      " is left from an earlier command: it says nothing about this one");
 }
 
 std::vector<fs::path> inputs_of(const JointCommand& command, const JointOptions& options) {
@@ -150,32 +130,20 @@ std::vector<fs::path> inputs_of(const JointCommand& command, const JointOptions&
   return files;
 }
 
-Work work_of(const JointCommand& command, const Screen& screen) {
-  Work work;
-  work.threads = command.threads > 0 ? command.threads : std::max(1U, std::thread::hardware_concurrency());
-  work.log = &screen.log;
-  work.quiet = command.quiet;
-  work.mesh_format = command.mesh_format;
-  return work;
-}
-
 void run_one(const JointCommand& command, const Screen& screen) {
-  Work work = work_of(command, screen);
+  Work work = command.work;
   std::unique_ptr<AnswerFolder> folder;
   if (!command.out.empty()) {
     folder = std::make_unique<AnswerFolder>(command.out);
     work.out = command.out;
   }
   work.inputs = inputs_of(command, command.joint);
-  Answered answered = ask(command, command.joint, work, screen);
-  add_table(answered.told);
+  Told told = ask(command, command.joint, work, screen);
+  add_table(told);
   std::vector<std::string> older;
-  if (folder) older = folder->write(answered.told, answered.document, work);
-  if (command.json)
-    screen.out << text_of(answered.document);
-  else
-    screen.out << answered.told.words;
-  if (folder) tell_written(command.out, answered.told, older, command, screen);
+  if (folder) older = folder->write(told, work);
+  screen.out << (command.json ? text_of(told.document) : told.words);
+  if (folder) tell_written(told, older, command, screen);
 }
 
 // What is given for all joints takes precedence over a joint's own description.
@@ -192,7 +160,7 @@ JointOptions options_of(const JointOptions& all, const JointFolder& at) {
 // Asks each joint in a folder of its own, and writes a table of them all.
 void run_all(const JointCommand& command, const Screen& screen) {
   const JointFolders folders = find_joints(command.joints);
-  Work work = work_of(command, screen);
+  Work work = command.work;
   Table table;
   Json documents = Json::array();
   std::vector<std::string> left_out = folders.left_out;
@@ -205,13 +173,12 @@ void run_all(const JointCommand& command, const Screen& screen) {
       work.out = folder.path();
       const JointOptions options = options_of(command.joint, at);
       work.inputs = inputs_of(command, options);
-      Answered answered = ask(command, options, work, screen);
-      if (!answered.told.table_name.empty()) table_name = answered.told.table_name;
-      add_rows(at.subject, answered.told.table_name.empty() ? row_of_one(answered.told) : answered.told.table,
-               table);
-      add_table(answered.told);
-      folder.write(answered.told, answered.document, work);
-      documents.push_back(std::move(answered.document));
+      Told told = ask(command, options, work, screen);
+      if (!told.table_name.empty()) table_name = told.table_name;
+      add_rows(at.subject, told.table_name.empty() ? row_of_one(told) : told.table, table);
+      add_table(told);
+      folder.write(told, work);
+      documents.push_back(std::move(told.document));
     } catch (const std::exception& error) {
       const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
       std::string what = memory ? kNoMemory : one_line(error.what());
@@ -220,24 +187,23 @@ void run_all(const JointCommand& command, const Screen& screen) {
       left_out.push_back(std::move(what));
     }
   }
-  for (const std::string& reason : left_out)
-    screen.log << "impinge: warning: left out: " << one_line(reason) << std::endl;
+  for (const std::string& reason : left_out) work.warn("left out: " + reason);
   if (documents.empty())
     throw std::runtime_error(command.joints.string() +
                              ": none of its joints could be used; see the lines above");
   AnswerFolder folder(command.out);
   work.out = command.out;
-  Told all{.files = {{table_name, to_csv(table)}}};
-  Json document{{"program", "impinge"},
-                {"version", kVersion},
-                {"commit", commit()},
-                {"command", command.question.name},
-                {"joints", command.joints.string()},
-                {"left_out", left_out},
-                {"documents", documents}};
-  folder.write(all, document, work);
+  Told all{.document = {{"program", "impinge"},
+                        {"version", kVersion},
+                        {"commit", commit()},
+                        {"command", command.question.name},
+                        {"joints", command.joints.string()},
+                        {"left_out", left_out},
+                        {"documents", documents}},
+           .files = {{table_name, to_csv(table)}}};
+  folder.write(all, work);
   if (command.json)
-    screen.out << text_of(document);
+    screen.out << text_of(all.document);
   else
     screen.out << "joints              " << documents.size() << ", in " << table.rows.size() << " rows of "
                << (command.out / table_name).string() << "; the files of each in a folder of its name"
@@ -269,6 +235,7 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
                  std::function<void()>& work) {
   const auto command = std::make_shared<JointCommand>();
   command->question = std::move(question);
+  command->work.log = &screen.log;
   CLI::App& app = *program.add_subcommand(command->question.name, command->question.text);
   app.footer("Example: impinge " + command->question.name + " " + command->question.example);
   CLI::Option* const ball =
@@ -284,7 +251,7 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
           ->type_name("DIR")
           ->group(group);
   if (command->question.writes_meshes)
-    add_word(app, "--mesh-format", command->mesh_format, "of the meshes that are written")
+    add_word(app, "--mesh-format", command->work.mesh_format, "of the meshes that are written")
         ->group("The question");
   app.add_flag("--json", command->json, "print the document that summary.json holds, in place of words")
       ->group(group);
@@ -297,11 +264,11 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
   for (const char* of_one : {"--centre", "--landmarks", "--ball-part", "--socket-part", "--config"})
     joints->excludes(app.get_option(of_one));
   for (const char* other : command->question.without) app.remove_option(app.get_option(other));
-  app.add_option("--threads", command->threads, "[all cores]")
+  app.add_option("--threads", command->work.threads, "[all cores]")
       ->type_name("N")
       ->check(in_range({1, 1024}, true))
       ->group(group);
-  app.add_flag("--quiet", command->quiet, "no progress")->group(group);
+  app.add_flag("--quiet", command->work.quiet, "no progress")->group(group);
   app.add_flag("--schema", command->schema, "print the JSON Schema of the document, and do nothing else")
       ->group(group);
   app.add_flag("--xml", command->xml, "print what 3D Slicer makes a window of, and do nothing else")

@@ -2,8 +2,6 @@
 #include "command/joint_options.hpp"
 
 #include <array>
-#include <memory>
-#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -12,7 +10,6 @@
 #include "files/finite_number.hpp"
 #include "files/formatted.hpp"
 #include "joint/cartilage_file.hpp"
-#include "joint/joint_folder.hpp"
 #include "joint/landmark_file.hpp"
 #include "joint/rest_contact.hpp"
 #include "mesh/declared_axes.hpp"
@@ -46,14 +43,11 @@ void set_cartilage(const std::string& text, JointOptions& options) {
 // Takes from the file what the command line does not give.
 void use_description(const CLI::App& command, const fs::path& file, JointOptions& options) {
   const JointDescription said = read_description(file);
-  const auto open = [&](const char* option) { return command.count(option) == 0; };
-  if (open("--centre")) options.centre = said.centre;
-  if (open("--side")) options.side = said.side;
-  if (open("--axes")) options.axes = said.axes;
-  if (open("--landmarks")) options.landmarks = said.landmarks;
-  if (open("--ball-part")) options.ball_parts = said.ball_parts;
-  if (open("--socket-part")) options.socket_parts = said.socket_parts;
-  if (open("--cartilage") && said.cartilage_mm) options.cartilage_mm = said.cartilage_mm;
+  for_each_field<JointDescription>([&](const auto& field) {
+    const CLI::Option* option = command.get_option_no_throw(option_name(field.name));
+    if (option != nullptr && option->count() == 0)
+      field.of(static_cast<JointDescription&>(options)) = field.of(said);
+  });
 }
 
 // Reads a file of bone. With keep_largest it keeps only the largest piece, and `said` tells of the others.

@@ -11,29 +11,22 @@
 #include <CLI/CLI.hpp>
 
 #include "joint/joint_document.hpp"
+#include "joint/joint_folder.hpp"
 #include "joint/touch.hpp"
 
 namespace impinge {
 
 /// Lengths in mm, places in the frame of the meshes.
-struct JointOptions {
-  std::filesystem::path ball{};    // mesh file
-  std::filesystem::path socket{};  // mesh file
-  /// Meshes of bone beside the ball, in the same frame (mesh/mesh_parts.hpp).
-  std::vector<std::filesystem::path> ball_parts{};
-  std::vector<std::filesystem::path> socket_parts{};  // beside the socket
-  bool keep_largest = false;                          // keep only the largest piece of each file
-  double overlap_mm = 0.0;            // overlap along a ray that is no contact (hip/joint.hpp)
-  bool ignore_rest_contact = false;   // take the least overlap for which nothing touches as scanned
-  std::optional<Vec3> centre{};       // fitted to the ball if not given
-  std::optional<Side> side{};         // needed for abduction and rotation
-  std::optional<std::string> axes{};  // of the meshes (hip/anatomy.hpp); if not given, as their headers say
-  std::optional<std::filesystem::path> landmarks{};  // file that gives the frames (joint/landmark_file.hpp)
+struct JointOptions : JointDescription {
+  std::filesystem::path ball{};      // mesh file
+  std::filesystem::path socket{};    // mesh file
+  bool keep_largest = false;         // keep only the largest piece of each file
+  double overlap_mm = 0.0;           // overlap along a ray that is no contact (hip/joint.hpp)
+  bool ignore_rest_contact = false;  // take the least overlap for which nothing touches as scanned
   std::optional<std::filesystem::path>
       cartilage_map{};                            // instead of one thickness (joint/cartilage_file.hpp)
   std::optional<std::filesystem::path> config{};  // file that gives more of these options
-  std::optional<double> cartilage_mm{};           // of both layers together; if not given, the request's own
-  bool cartilage_of_scan = false;                 // take it from the scan (joint/rest_contact.hpp)
+  bool cartilage_of_scan = false;                 // take the thickness from the scan (joint/rest_contact.hpp)
 };
 
 /// Adds the options, with --config, to a command. The file of --config counts where the command line says

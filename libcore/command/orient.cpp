@@ -26,8 +26,8 @@ std::string orientation_csv(const OrientAnswer& found) {
 // Where to turn the socket, and how.
 std::string nearest_text(const OrientAnswer& found) {
   if (!found.nearest_free) return "nearest free        none: no square of the map is\n";
-  const auto& [to, axis, at_least_deg] = *found.nearest_free;
-  if (!axis) return "nearest free        the socket as scanned\n";
+  const NearestFree& to = *found.nearest_free;
+  if (!to.axis) return "nearest free        the socket as scanned\n";
   std::string text =
       formatted("nearest free        inclination %.1f, anteversion %.1f degrees: %+.1f and %+.1f\n",
                 to.angles.inclination_deg, to.angles.anteversion_deg, to.change.inclination_deg,
@@ -35,9 +35,9 @@ std::string nearest_text(const OrientAnswer& found) {
       formatted(
           "                    a turn of the socket by %.1f degrees about the axis %.3f, %.3f, %.3f of the "
           "frame of the meshes",
-          to.turn_deg, axis->x(), axis->y(), axis->z());
-  if (at_least_deg < to.turn_deg)
-    text += formatted("; none is free after less than %s", rounded_down(at_least_deg, 1).c_str());
+          to.turn_deg, to.axis->x(), to.axis->y(), to.axis->z());
+  if (to.at_least_deg < to.turn_deg)
+    text += formatted("; none is free after less than %s", rounded_down(to.at_least_deg, 1).c_str());
   return text + "\n";
 }
 

@@ -20,12 +20,6 @@ namespace {
 
 constexpr const char* kRowsVersion = "poses 1";  // of the answers: rows of another version are not kept
 
-std::string line_of(const std::vector<Cell>& cells) {
-  std::string line;
-  for (const Cell& cell : cells) line += (line.empty() ? "" : ",") + cell.text();
-  return line + "\n";
-}
-
 // Poses with BlenderROMFinder's columns also get its column Valid_pose; 1 means no contact.
 bool has_valid_pose(const PoseList& list, const PosesRequest& request) {
   return list.kind == PoseKind::steps && request.asks(PosesOutput::touch);
@@ -39,57 +33,40 @@ std::string head_of(const PoseList& list, const PosesRequest& request) {
   for (const PoseColumn& column : list.columns)
     if (!column.name.empty()) names.emplace_back(column.name);
   if (has_valid_pose(list, request)) names.emplace_back("Valid_pose");
-  return line_of(names);
+  return csv_line(names);
 }
 
 std::string text_of_row(const PosesRequest& request, const PoseList& list, const PoseRow& row) {
   std::vector<Cell> cells = cells_of(row);
-  if (cells[1].text().empty()) cells[1] = Cell();
   if (row.areas)
     for (Cell& cell : cells_of(*row.areas)) cells.push_back(std::move(cell));
   for (std::size_t k = 0; k < list.columns.size(); ++k)
     if (!list.columns[k].name.empty()) cells.emplace_back(list.values[(row.pose - 1) * list.width() + k]);
   if (has_valid_pose(list, request))
     cells.push_back(row.touch() == "yes" ? Cell("0") : row.touch() == "no" ? Cell("1") : Cell());
-  return line_of(cells);
+  return csv_line(cells);
 }
 
-// Summarises all rows from their text, since some may be from an earlier run.
-class Tally {
- public:
-  void add(std::string_view row) {
-    std::vector<std::string> cell;
-    for (std::size_t k = 0; k < 8; ++k) {
-      const std::size_t end = std::min(row.find_first_of(",\n"), row.size());
-      cell.emplace_back(row.substr(0, end));
-      row.remove_prefix(std::min(end + 1, row.size()));
-    }
-    ++found_.number_of_poses;
-    if (cell[1] == "yes") ++touching_;
-    if (cell[1] == "untracked") ++found_.untracked;
-    if (cell[3].empty() || (found_.smallest_gap && std::stod(cell[3]) >= found_.smallest_gap->gap_mm)) return;
-    found_.smallest_gap =
-        SmallestOfPoses{found_.number_of_poses, std::stod(cell[3]), cell[4], std::stoull(cell[5]), {}};
-    if (!cell[6].empty()) found_.smallest_gap->clock = cell[6];
+// Adds a row to the summary from its text, since it may be from an earlier run.
+void add_text(std::string_view row, PosesAnswer& all) {
+  std::vector<std::string> cell;
+  for (std::size_t k = 0; k < 8; ++k) {
+    const std::size_t end = std::min(row.find_first_of(",\n"), row.size());
+    cell.emplace_back(row.substr(0, end));
+    row.remove_prefix(std::min(end + 1, row.size()));
   }
-  std::size_t rows() const { return found_.number_of_poses; }
-  PosesAnswer answer(bool touch, const std::string& doubt) const {
-    PosesAnswer found = found_;
-    if (touch) found.touching = touching_;
-    if (!doubt.empty()) found.doubt = doubt;
-    return found;
-  }
-
- private:
-  PosesAnswer found_;
-  std::size_t touching_ = 0;
-};
+  std::optional<SmallestOfPoses> gap;
+  if (!cell[3].empty()) gap = {0, std::stod(cell[3]), cell[4], std::stoull(cell[5]), {}};
+  if (gap && !cell[6].empty()) gap->clock = cell[6];
+  add_row(cell[1], gap, all);
+}
 
 // The rows, kept in a file if there is a folder for it.
 class Rows {
  public:
-  // Keeps the complete rows that the file has below the same head.
-  Rows(const Work& work, const std::string& key, const std::string& head) {
+  // Keeps the complete rows that the file has below the same head. `found` is without rows.
+  Rows(const Work& work, const std::string& key, const std::string& head, PosesAnswer found)
+      : found_(std::move(found)) {
     if (!work.out) return;
     whole_ = work.output("poses.csv");
     file_ = *work.out / ("poses-" + key + ".part");
@@ -101,7 +78,7 @@ class Rows {
     bytes.resize(bytes.rfind('\n') + 1);  // a killed run may have cut a row
     if (!bytes.starts_with(head)) bytes = head;
     for (std::size_t at = head.size(); at < bytes.size(); at = bytes.find('\n', at) + 1)
-      tally_.add(std::string_view(bytes).substr(at));
+      add_text(std::string_view(bytes).substr(at), found_);
     write_bytes(file_, bytes);
     out_.open(file_, std::ios::binary | std::ios::app);
     require_good();
@@ -110,7 +87,7 @@ class Rows {
   // Afterwards the new rows can be read from the file.
   void add(const std::vector<std::string>& rows) {
     for (const std::string& row : rows) {
-      tally_.add(row);
+      add_text(row, found_);
       if (!file_.empty()) out_ << row;
     }
     out_.flush();
@@ -123,7 +100,7 @@ class Rows {
     require_good();
     return {std::make_shared<TemporaryFile>(whole_, file_)};
   }
-  const Tally& tally() const { return tally_; }
+  const PosesAnswer& found() const { return found_; }
 
  private:
   void require_good() const {
@@ -133,7 +110,7 @@ class Rows {
   std::filesystem::path file_;
   std::filesystem::path whole_;
   std::ofstream out_;
-  Tally tally_;
+  PosesAnswer found_;
 };
 
 void answer_all(const SessionJoint& joint, const PoseList& list, const PoseSeries& series,
@@ -141,7 +118,7 @@ void answer_all(const SessionJoint& joint, const PoseList& list, const PoseSerie
   Stopwatch watch;
   double answer_ms = 0.0;
   double said_ms = 0.0;
-  const std::size_t kept = rows.tally().rows();
+  const std::size_t kept = rows.found().number_of_poses;
   if (kept > 0) work.say(formatted("%zu of %zu poses were answered before", kept, list.size()));
   for (std::size_t pose = kept; pose < list.size();) {
     constexpr std::size_t kRowsOfAThread = 512;  // between two writes
@@ -187,12 +164,15 @@ Told told(Session& session, const PosesRequest& request, const Work& work) {
   std::string given = std::string(kRowsVersion) + head;
   given += std::to_string(static_cast<int>(list.kind)) + ",";
   for (const double value : list.values) given += Cell(value).text() + ",";
-  Rows rows(work, answer_key(joint, json_of(request), given), head);
-  const std::string doubt = doubt_of(request, joint, list);
-  if (!doubt.empty()) work.warn(doubt);
+  PosesAnswer none;
+  if (request.asks(PosesOutput::touch)) none.touching = 0;
+  if (const std::string doubt = doubt_of(request, joint, list); !doubt.empty()) {
+    work.warn(doubt);
+    none.doubt = doubt;
+  }
+  Rows rows(work, answer_key(joint, json_of(request), given), head, none);
   answer_all(joint, list, series, request, work, rows);
-  const PosesAnswer found = rows.tally().answer(request.asks(PosesOutput::touch), doubt);
-  Told told{.words = describe_poses(found), .document = json_of(found)};
+  Told told{.words = describe_poses(rows.found()), .document = json_of(rows.found())};
   told.wrote = rows.finished();
   told.row_of_one = {
       {"poses", "/number_of_poses"}, {"touching", "/touching"}, {"smallest_gap_mm", "/smallest_gap/gap_mm"}};

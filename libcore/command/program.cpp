@@ -2,12 +2,9 @@
 #include "command/program.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <memory>
 #include <new>
-#include <thread>
 
-#include "command/joint_command.hpp"
 #include "command/request_options.hpp"
 #include "files/one_line.hpp"
 #include "joint/document.hpp"

@@ -29,7 +29,7 @@ namespace impinge {
 
 /// What a question may use while it works.
 struct Work {
-  std::optional<std::filesystem::path> out;  // an existing folder; none: nothing is written
+  std::optional<std::filesystem::path> out{};  // an existing folder; none: nothing is written
   std::size_t threads = 1;
   std::ostream* log = nullptr;                  // for warnings and progress
   bool quiet = false;                           // no progress
@@ -46,12 +46,6 @@ struct Work {
   std::string mesh_file(const std::string& stem) const;
 };
 
-/// A column of joints.csv, and the place of its value in the document (a JSON pointer).
-struct HeadlineColumn {
-  std::string name;
-  std::string at;
-};
-
 /// An answer in all its forms. A question fills what it has.
 struct Told {
   std::string words{};                                  // lines for a terminal
@@ -61,7 +55,30 @@ struct Told {
   std::vector<std::filesystem::path> spent{};  // of an interrupted run; removed once the answer is in place
   std::string table_name{};                    // such as "limits.csv"; empty: it has none
   Table table{};                               // rows of that file, without the column `joint`
-  std::vector<HeadlineColumn> row_of_one{};  // the joint's row of joints.csv (--joints), if there is no table
+  /// The joint's row of joints.csv (--joints), if there is no table: columns, and the places of their values
+  /// in the document (JSON pointers).
+  std::vector<std::pair<std::string, std::string>> row_of_one{};
+};
+
+/// The folder of an answer. It is made if missing, and removed again if it stays empty.
+class AnswerFolder {
+ public:
+  /// Throws FileError if no file can be written there.
+  explicit AnswerFolder(std::filesystem::path folder);
+  AnswerFolder(const AnswerFolder&) = delete;
+  AnswerFolder& operator=(const AnswerFolder&) = delete;
+  ~AnswerFolder();
+
+  /// Writes the files and the document as summary.json, which lists them; either all are written or none.
+  /// Returns the files of an earlier answer that are still there. Throws std::runtime_error if a file would
+  /// replace an input.
+  std::vector<std::string> write(Told& told, const Work& work);
+
+  const std::filesystem::path& path() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+  std::filesystem::path there_;  // the nearest folder that existed before
 };
 
 /// A command that asks one question of a joint.
@@ -127,6 +144,11 @@ QuestionCommand question_of(std::string name, std::string text, std::string exam
   made.answer_schema = schema_of<Answer>();
   return made;
 }
+
+/// The description of a question's command in the XML of the execution model of 3D Slicer: a panel for each
+/// group of options and a parameter for each option that a window can set. CTK's schema wants _ for - in
+/// flags.
+std::string slicer_module(const CLI::App& command);
 
 /// All questions, each in a file of its own.
 QuestionCommand gaps_question();

@@ -96,7 +96,9 @@ def lists(program):
         text += f"### `impinge {command}`\n\n{schema['description']}\n\n"
         if "The question" in groups:
             text += table(OPTIONS, groups["The question"]) + "\n"
-        text += table(("key of `answer`", "what"), keys.rows(schema["properties"]["answer"], command)) + "\n"
+        answer = schema["properties"]["answer"]
+        keys.told[json.dumps(answer["properties"])] = "answer", command
+        text += table(("key of `answer`", "what"), keys.rows(answer, command)) + "\n"
     for command in TOOLS:
         told = said(program, command, "--help")
         groups = options(told)

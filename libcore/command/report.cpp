@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/report.hpp"
 
-#include <string>
-
 #include "command/question_command.hpp"
 #include "files/formatted.hpp"
 #include "report/files.hpp"

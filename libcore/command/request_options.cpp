@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "files/finite_number.hpp"
-#include "joint/document.hpp"
 
 namespace impinge {
 

@@ -4,9 +4,7 @@
 #pragma once
 
 #include <concepts>
-#include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +13,7 @@
 
 #include "files/fields.hpp"
 #include "files/formatted.hpp"
+#include "files/joined.hpp"
 #include "hip/motion.hpp"
 #include "joint/document.hpp"
 
@@ -33,10 +32,8 @@ Vec3 place_option(const std::string& option, const std::string& text);
 template <class T>
 requires(InWords<T> || std::same_as<T, Motion> || std::same_as<T, std::optional<Motion>>) std::string
     words_or_motion(const char* between) {
-  if constexpr (!InWords<T>) return "MOTION";
-  std::string text;
-  for (const std::string_view word : words_of<T>) text += (text.empty() ? "" : between) + std::string(word);
-  return text;
+  if constexpr (InWords<T>) return joined(words_of<T>, between);
+  return "MOTION";
 }
 
 /// Adds an option with the words that name `value`; `value` holds the default.

@@ -59,7 +59,7 @@ std::string leg_text(const ResectLeg& leg) {
                               ? "reached before the cut too"
                               : "ends at " + rounded_down(leg.before.low_deg, 2) + " degrees before the cut";
   const std::string now = leg.after.state == LimitState::limited ? "at " : "not before ";
-  return leg.words + ": " + was + ", " + now + rounded_down(leg.after.low_deg, 2) + " after it\n";
+  return describe(leg) + ": " + was + ", " + now + rounded_down(leg.after.low_deg, 2) + " after it\n";
 }
 
 std::string screen_text(const ResectAnswer& found, double clearance_mm, const std::string& file) {

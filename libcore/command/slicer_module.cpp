@@ -1,37 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/slicer_module.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "command/joint_command.hpp"
+#include "command/question_command.hpp"
+#include "files/delimited.hpp"
 #include "files/finite_number.hpp"
 #include "report/answer_document.hpp"
+#include "report/svg.hpp"
 
 namespace impinge {
 namespace {
-
-std::string escaped(std::string_view text) {
-  std::string xml;
-  for (const char c : text) {
-    if (c == '&')
-      xml += "&amp;";
-    else if (c == '<')
-      xml += "&lt;";
-    else if (c == '>')
-      xml += "&gt;";
-    else if (c == '"')
-      xml += "&quot;";
-    else
-      xml += c;
-  }
-  return xml;
-}
 
 std::string element(const char* indent, const char* tag, std::string_view text) {
   return std::string(indent) + "<" + tag + ">" + escaped(text) + "</" + tag + ">\n";
@@ -51,17 +33,6 @@ std::string default_of(const std::string& text) {
   const std::size_t begin = text.rfind('[') + 1;
   const std::string value = text.substr(begin, text.size() - 1 - begin);
   return value.find(' ') == value.npos ? value : "";
-}
-
-std::vector<std::string> words_between(const std::string& text, char separator) {
-  std::vector<std::string> words(1);
-  for (const char c : text) {
-    if (c == separator)
-      words.emplace_back();
-    else
-      words.back() += c;
-  }
-  return words;
 }
 
 // The tag with its attributes, what the value is, and the words of an enumeration.
@@ -87,11 +58,11 @@ Kind kind_of(const CLI::Option& option) {
   if (bone) return {.tag = "geometry", .attributes = " fileExtensions=\".ply\"", .input_file = true};
   if (type == "FILE" || option.check_lname("poses")) return {.tag = "file", .input_file = true};
   if (type == "DIR") return {.tag = "directory"};
-  const auto words = words_between(type, '|');
+  const std::vector<std::string_view> words = delimited_words(type, '|');
   const bool lower =
       std::none_of(type.begin(), type.end(), [](unsigned char c) { return std::isupper(c) != 0; });
   if (words.size() > 1 && lower) {
-    std::vector<std::string> choices = words;
+    std::vector<std::string> choices(words.begin(), words.end());
     if (std::find(words.begin(), words.end(), value) == words.end()) choices.insert(choices.begin(), "");
     return {.tag = "string-enumeration", .value = value, .words = std::move(choices)};
   }

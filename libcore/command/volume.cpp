@@ -95,12 +95,6 @@ class VerdictFile {
   std::ofstream out_;
 };
 
-std::string csv_line(const std::vector<Cell>& cells) {
-  std::string line;
-  for (const Cell& cell : cells) line += (line.empty() ? "" : ",") + cell.text();
-  return line + "\n";
-}
-
 std::shared_ptr<TemporaryFile> write_cells(const std::filesystem::path& path, const MotionVolume& volume) {
   constexpr std::size_t kAtOnce = std::size_t{1} << 24;
   auto file = std::make_shared<TemporaryFile>(path);

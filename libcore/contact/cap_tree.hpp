@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tree of caps of directions over the parts of a surface, its vertices or faces.
+// A tree of caps of directions over the items of a surface, its vertices or faces.
 //
-// A node holds every direction of its parts within `angle` of its axis, and their radii between low and high.
+// A node holds every direction of its items within `angle` of its axis, and their radii between low and high.
 // The first block of nodes are the six faces of a cube. Each node has up to eight children, which are worked
-// on together: the eighths of its cell or, if it has few parts, runs of them, and then the parts. Parts are
-// sorted by counting, and nodes made from the leaves to the root, in O(parts). The angle of a node is the
+// on together: the eighths of its cell or, if it has few items, runs of them, and then the items. Items are
+// sorted by counting, and nodes made from the leaves to the root, in O(items). The angle of a node is the
 // lesser of
 //   max over its children of (angle between the axes + angle of the child),
 //   max over the corners of its cell of the angle from the axis, if less than a quarter turn (such a cap is
-//   convex and so holds the whole cell), + the largest angle of a part.
+//   convex and so holds the whole cell), + the largest angle of an item.
 // Numbers are floats, rounded outwards by kNodeSlack. That also covers axes that are unit vectors to 1e-7
 // only, and callers that compute with nodes in floats.
 #pragma once
@@ -70,7 +70,7 @@ class CapTree {
  public:
   static constexpr std::size_t kDeepest = 7;  // levels of cells
   /// The most nodes that wait in a depth-first search: the root's block, and one block of each level of
-  /// cells, runs and parts.
+  /// cells, runs and items.
   static constexpr std::size_t kMostPending = 6 + (CapBlock::kLanes - 1) * (kDeepest + 2);
 
   explicit CapTree(std::span<const CapItem> items);  // sorts a copy of the items

@@ -2,7 +2,8 @@
 // Lower bounds on the gaps of the vertices of a cap in a pose, by Theorem 8 (caps).
 //
 // A scan takes a vertex v = s w (|w| = 1, low <= s <= high, w within `angle` of the axis a) to x = R v + t.
-// With o = R^T t, T = |t| and b the angle between a and o,
+// With o = R^T t, T = |t|, b the angle between a and o, 1 / mean the mean of 1 / low and 1 / high, and
+// spread = (high - low) / (2 high),
 //   the directions of x and R (mean a) + t are within (angle low + T spread) / (low - T), if T < low,
 //   |x|^2 = s^2 + 2 s (w . o) + T^2,  cos(b + angle) <= w . o / T <= cos(b - angle).
 // A longer translation allows any direction. The limit of the other surface over that cap of directions

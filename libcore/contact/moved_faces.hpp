@@ -4,7 +4,7 @@
 //
 // The answer is the same as from faces_meet() (mesh/meeting_faces.hpp) for all pairs of faces with an area,
 // with the corners that to_socket() gives (gap/pose.hpp). By Theorem 9 (near) runs of moved faces are left
-// out if a ball round them is clear of the other surface by the grid of distances about it
+// out if a sphere round them is clear of the other surface by the grid of distances about it
 // (contact/near_cells.hpp), or nearer to the centre than the surface along all rays near it
 // (contact/least_radii.hpp), in floats rounded outwards. Each face that is left is tested with the faces
 // whose boxes overlap its own. Runs whose middle is in a cell of the surface come first, so that a pair that
@@ -30,7 +30,7 @@ namespace impinge {
 /// A mesh that is moved, prepared once. Takes 23 bytes a face beside the mesh.
 class MovedFaces {
  public:
-  /// Eight balls, each round the points of a run.
+  /// Eight spheres, each round the points of a run.
   struct Balls {
     std::array<float, FaceRuns::kWidth> x, y, z;  // middle, mm
     std::array<float, FaceRuns::kWidth> radius;   // mm, rounded up; negative if there is no run

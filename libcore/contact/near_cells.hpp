@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lower bounds on the distances of the cells of a grid from a surface: one look-up tells that a whole ball is
-// clear of the surface. Theorem 9 (near).
+// Lower bounds on the distances of the cells of a grid from a surface: one look-up tells that a whole sphere
+// is clear of the surface. Theorem 9 (near).
 //
 // The grid divides the box round the faces into cubes of `size`. The squared distance of two cells is a sum
 // over the axes, so that one pass along each axis finds the least over all cells that may hold a point of the

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Distances of parts of two surfaces, in double, that exceed the true ones by no more than a stated rounding.
+// Distances of corners, edges and faces of two surfaces, in double, that exceed the true ones by no more than
+// a stated rounding.
 //
 // The plain formulas (mesh/triangle_distance.hpp) lose digits if a face is thin or edges are nearly parallel.
-// With u = 2^-53, D the distance between the starts of both parts and k = |sin| of the angle that the formula
-// divides by, their error is at most 24 u D / k. If k is at least kThin that is below 3e-13 D and left to the
-// caller's tolerance. Else the error is subtracted, and the bounds of Theorem 10 (distance), which do not
-// divide by k, are used where they say more.
+// With u = 2^-53, D the distance between the first corners of both and k = |sin| of the angle that the
+// formula divides by, their error is at most 24 u D / k. If k is at least kThin that is below 3e-13 D and
+// left to the caller's tolerance. Else the error is subtracted, and the bounds of Theorem 10 (distance),
+// which do not divide by k, are used where they say more.
 #pragma once
 
 #include "contact/turn_surface.hpp"

@@ -44,20 +44,17 @@ void Table::add_row(std::vector<Cell> row) {
   rows.push_back(std::move(row));
 }
 
+std::string csv_line(const std::vector<Cell>& cells) {
+  std::string line;
+  for (const Cell& cell : cells) line += (&cell == &cells.front() ? "" : ",") + cell.text();
+  return line + "\n";
+}
+
 std::string to_csv(const Table& table) {
-  std::string text;
-  for (const Column& column : table.columns) {
-    if (!text.empty()) text += ',';
-    text += quoted(column.name);
-  }
-  text += '\n';
-  for (const auto& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0) text += ',';
-      text += row[i].text();
-    }
-    text += '\n';
-  }
+  std::vector<Cell> head;
+  for (const Column& column : table.columns) head.emplace_back(column.name);
+  std::string text = csv_line(head);
+  for (const auto& row : table.rows) text += csv_line(row);
   return text;
 }
 

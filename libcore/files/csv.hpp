@@ -49,6 +49,9 @@ struct Table {
   void add_row(std::vector<Cell> row);
 };
 
+/// Cells as a line of a CSV file.
+std::string csv_line(const std::vector<Cell>& cells);
+
 /// The table as the bytes of a CSV file, whose lines end in a line feed.
 std::string to_csv(const Table& table);
 

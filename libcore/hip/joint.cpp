@@ -335,7 +335,7 @@ Joint assemble_joint(JointInput input) {
 
 Joint without_parts(Joint joint) {
   for (JointPart* part : {&joint.ball, &joint.socket}) {
-    part->mesh = main_surface(part->mesh, part->parts);
+    part->mesh = part->main();
     part->parts.clear();
   }
   return joint;

@@ -12,6 +12,7 @@
 #include "hip/cartilage_map.hpp"
 #include "hip/landmarks.hpp"
 #include "hip/sphere_fit.hpp"
+#include "mesh/ball_socket_pair.hpp"
 #include "mesh/mesh_parts.hpp"
 #include "mesh/star_shape.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -29,6 +30,8 @@ struct TakenFaces {
 
 /// One surface of a joint, and what was found out about it.
 struct JointPart {
+  TriangleMesh main() const { return main_surface(mesh, parts); }
+
   TriangleMesh mesh;                  // centre frame, mm
   std::vector<MeshPart> parts;        // of the mesh, behind its main surface
   MeshReport validation;              // what is wrong with the mesh, as it was given
@@ -39,6 +42,10 @@ struct JointPart {
 struct Joint {
   /// Is there bone beside the main surfaces?
   bool has_parts() const { return !ball.parts.empty() || !socket.parts.empty(); }
+  /// The main surfaces.
+  BallSocketPair main() const { return {ball.main(), socket.main()}; }
+  /// The bone beside them.
+  BoneParts beside() const { return bone_parts({ball.mesh, ball.parts}, {socket.mesh, socket.parts}); }
 
   JointPart ball;                          // about the centre
   JointPart socket;                        // about the centre

@@ -13,9 +13,7 @@ constexpr double kNoTranslation = 1e-6;  // mm
 
 double radius_of(const Joint& joint) {
   if (joint.fit) return joint.fit->radius;
-  return facing(main_surface(joint.ball.mesh, joint.ball.parts),
-                main_surface(joint.socket.mesh, joint.socket.parts))
-      .ball_radius;
+  return facing(joint.ball.main(), joint.socket.main()).ball_radius;
 }
 
 // What all poses that are too far away have in common.

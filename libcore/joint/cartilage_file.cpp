@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/cartilage_file.hpp"
 
-#include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "files/delimited.hpp"
 #include "files/file_bytes.hpp"
 #include "files/file_error.hpp"
 #include "files/finite_number.hpp"
@@ -15,26 +16,8 @@
 namespace impinge {
 namespace {
 
-constexpr std::string_view kHeader = "x,y,z,thickness_mm";
 constexpr const char* kMapAdvice =
     "give a CSV with the header x,y,z,thickness_mm and four numbers a line, in mm";
-
-using Row = std::array<double, 4>;
-
-// The four finite numbers of a line; none if it has others.
-std::optional<Row> parse_row(std::string_view line) {
-  Row row{};
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    const std::size_t comma = line.find(',');
-    const std::string_view word = line.substr(0, comma);
-    const std::optional<double> number = finite_number(word);
-    if (!number) return std::nullopt;
-    row[k] = *number;
-    if ((comma == line.npos) != (k + 1 == row.size())) return std::nullopt;
-    line.remove_prefix(comma == line.npos ? line.size() : comma + 1);
-  }
-  return row;
-}
 
 }  // namespace
 
@@ -51,23 +34,21 @@ void add_cartilage(const std::array<double, 4>& point, const Vec3& centre, Carti
 
 CartilageMap read_cartilage(const std::filesystem::path& file, const Vec3& centre) {
   const std::string bytes = read_bytes(file);
+  NumberedLines lines(bytes);
   CartilageMap map;
-  std::string_view rest = bytes;
-  for (std::size_t number = 1; !rest.empty(); ++number) {
-    std::string_view line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    const auto refuse = [&](const std::string& reason) {
-      throw FileError(file, "line " + std::to_string(number) + " " + reason, kMapAdvice);
-    };
-    if (number == 1) {
-      if (line != kHeader) refuse("is not the header of a map of cartilage");
-      continue;
-    }
-    const std::optional<Row> row = parse_row(line);
-    if (!row) refuse("is not four numbers");
+  const auto refuse = [&](const std::string& reason) {
+    throw FileError(file, "line " + std::to_string(lines.number()) + " " + reason, kMapAdvice);
+  };
+  if (!lines.next() || lines.line() != "x,y,z,thickness_mm")
+    refuse("is not the header of a map of cartilage");
+  while (lines.next()) {
+    const std::vector<std::string_view> words = delimited_words(lines.line(), ',');
+    std::array<double, 4> point{};
+    if (words.size() != point.size()) refuse("is not four numbers");
+    for (std::size_t k = 0; k < point.size(); ++k)
+      point[k] = finite_number(words[k]).value_or(std::numeric_limits<double>::quiet_NaN());
     try {
-      add_cartilage(*row, centre, map);
+      add_cartilage(point, centre, map);
     } catch (const std::invalid_argument& error) {
       refuse(error.what());
     }

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "files/formatted.hpp"
+#include "files/joined.hpp"
 
 namespace impinge {
 namespace {
@@ -137,12 +138,10 @@ std::size_t place_among(std::string_view word, std::span<const std::string_view>
                         std::string_view what) {
   const auto found = std::find(words.begin(), words.end(), word);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  std::string all;
-  for (const std::string_view one : words) all += (all.empty() ? "" : ", ") + std::string(one);
   const std::string_view near = near_word(word, words);
   refuse(what, "there is no '" + std::string(word) + "'" +
                    (near.empty() ? "; there are " : "; did you mean " + std::string(near) + "? There are ") +
-                   (all.empty() ? "none" : all));
+                   (words.empty() ? "none" : joined(words)));
 }
 
 }  // namespace impinge

@@ -63,9 +63,6 @@ std::string describe(const Range& range);
 /// The text of a document, indented. Bytes that are not UTF-8, as file names may have, become U+FFFD.
 std::string text_of(const Json& document);
 
-template <class T>
-Json schema_of();
-
 /// The schema of a value that may also be null.
 Json or_null(Json schema);
 /// An object with exactly these properties.
@@ -159,20 +156,34 @@ void in_field(std::string_view name, const Do& use) {
   }
 }
 
+/// The names of the fields, in their order.
+template <Described T>
+std::vector<std::string_view> names_of_fields() {
+  std::vector<std::string_view> names;
+  for_each_field<T>([&](const auto& field) { names.push_back(field.name); });
+  return names;
+}
+
+/// Sets the field of that name; false if there is none.
+template <Described Request>
+bool read_field(std::string_view name, const Json& given, Request& request) {
+  bool found = false;
+  for_each_field<Request>([&](const auto& field) {
+    if (field.name != name) return;
+    read_json(given, field.name, field.range, field.of(request));
+    found = true;
+  });
+  return found;
+}
+
 /// Sets the values of a request that a JSON object gives; the others stay as they are.
 template <Described Request>
 void read_request(const Json& given, Request& request) {
   if (!given.is_object())
     throw std::invalid_argument("a request is a JSON object with a key for each value that is given");
-  std::vector<std::string_view> names;
-  for_each_field<Request>([&](const auto& field) { names.push_back(field.name); });
-  for (const auto& item : given.items()) {
-    const std::size_t place = place_among(item.key(), names, "request");
-    std::size_t k = 0;
-    for_each_field<Request>([&](const auto& field) {
-      if (k++ == place) read_json(item.value(), field.name, field.range, field.of(request));
-    });
-  }
+  for (const auto& item : given.items())
+    if (!read_field(item.key(), item.value(), request))
+      place_among(item.key(), names_of_fields<Request>(), "request");  // says what there is
 }
 
 }  // namespace impinge

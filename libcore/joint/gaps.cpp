@@ -23,10 +23,6 @@ void GapsRequest::check() const {
              [&] { with_scheme(scheme_name(), [&]<class S>() { S::with_precision(precision()); }); });
 }
 
-bool GapsRequest::asks(Output output) const {
-  return outputs.empty() || std::find(outputs.begin(), outputs.end(), output) != outputs.end();
-}
-
 std::vector<Impingement> GapsAnswer::impingement() const {
   std::vector<Impingement> levels{{0.0, "bone on bone", ball.bone, socket.bone}};
   if (touching > 0.0)

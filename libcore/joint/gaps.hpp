@@ -2,6 +2,7 @@
 // All gaps of a pose, and what follows from them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -59,7 +60,7 @@ struct GapsRequest {
   /// Throws std::invalid_argument for options that exclude each other.
   void check() const;
 
-  bool asks(Output output) const;
+  bool asks(Output output) const { return outputs.empty() || std::ranges::count(outputs, output) > 0; }
   bool asks_bounds() const { return asks(Output::bounds) || asks(Output::verdicts); }  // verdicts need bounds
   bool scans(Surface of) const { return surfaces != (of == Surface::ball ? Scanned::socket : Scanned::ball); }
   /// Are tables used? Only if asked for: for one pose the faces are faster than filling a table.

@@ -43,10 +43,8 @@ std::string distances_csv(const GapsAnswer& found) {
 
 std::string surface_file(const SessionJoint& joint, const GapsAnswer& found, Surface surface,
                          const std::function<std::string(const TriangleMesh&, const MeshNotes&)>& write) {
-  const bool ball = surface == Surface::ball;
   const SurfaceAnswer& answer = found.of(surface);
-  const TriangleMesh mesh{in_input_frame(joint, found, surface),
-                          ball ? joint.joint.ball.mesh.faces : joint.joint.socket.mesh.faces};
+  const TriangleMesh mesh{in_input_frame(joint, found, surface), joint.bone(surface).mesh.faces};
   const std::vector<GapLevel> levels = gap_levels(surface, found.touching);
   std::vector<double> overlap;
   for (const double gap : answer.gap) overlap.push_back(gap >= 0.0 ? 0.0 : -gap);

@@ -2,7 +2,6 @@
 #include "joint/joint_folder.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <initializer_list>
 #include <regex>
@@ -11,6 +10,7 @@
 
 #include "files/file_bytes.hpp"
 #include "files/file_error.hpp"
+#include "files/joined.hpp"
 #include "joint/document.hpp"
 #include "mesh/mesh_format.hpp"
 
@@ -23,9 +23,6 @@ constexpr std::initializer_list<const char*> kBalls{"ball", "femoral_head", "hum
 constexpr std::initializer_list<const char*> kSockets{"socket", "acetabulum_facing", "glenoid_facing",
                                                       "acetabulum", "glenoid"};
 constexpr const char* kSubject = "subject.json";
-constexpr const char* kCentre = "center_of_rotation_mm";
-constexpr std::array<std::string_view, 9> kKeys{
-    kCentre, "centre", "side", "axes", "radius_mm", "cartilage_mm", "landmarks", "ball_part", "socket_part"};
 
 // The first mesh file of these names that is there.
 std::optional<fs::path> find_mesh(const fs::path& folder, std::initializer_list<const char*> names) {
@@ -36,12 +33,6 @@ std::optional<fs::path> find_mesh(const fs::path& folder, std::initializer_list<
     }
   }
   return std::nullopt;
-}
-
-std::string listed(std::initializer_list<const char*> names) {
-  std::string text;
-  for (const char* name : names) text += (text.empty() ? "" : ", ") + std::string(name);
-  return text;
 }
 
 // An axis code, given as such or by a text such as "+x = patient left, +y = posterior, +z = superior".
@@ -56,62 +47,22 @@ std::optional<std::string> axes_of(const std::string& text) {
   return code;
 }
 
-// The files under a key, relative to the folder of the file that names them.
-std::vector<fs::path> files_of(const Json& given, std::string_view key, const fs::path& folder) {
-  std::vector<std::string> names;
-  read_json(given, key, {}, names);
-  std::vector<fs::path> files;
-  files.reserve(names.size());
-  for (const std::string& name : names) files.push_back(folder / name);
-  return files;
-}
-
-void read_key(const std::string& key, const Json& value, const fs::path& folder, JointDescription& said) {
-  std::string text;
-  if (key == kCentre || key == "centre") {
-    read_json(value, key, {}, said.centre);
-  } else if (key == "side") {
-    read_json(value, key, {}, said.side);
-  } else if (key == "axes") {
-    read_json(value, key, {}, text);
-    said.axes = axes_of(text);
-  } else if (key == "radius_mm") {
-    read_json(value, key, kPositive, said.radius);
-  } else if (key == "cartilage_mm") {
-    read_json(value, key, kNotNegative, said.cartilage_mm);
-  } else if (key == "landmarks") {
-    const std::vector<fs::path> files = files_of(value, key, folder);
-    if (files.size() != 1) throw std::invalid_argument("landmarks: are one file; name it");
-    said.landmarks = files.front();
-  } else if (key == "ball_part") {
-    said.ball_parts = files_of(value, key, folder);
-  } else if (key == "socket_part") {
-    said.socket_parts = files_of(value, key, folder);
-  } else if (const std::string_view meant = near_word(key, kKeys); !meant.empty()) {
-    throw std::invalid_argument(key + ": is no key; did you mean " + std::string(meant) + "?");
-  }
-}
-
 // Throws std::runtime_error, one line, where the folder holds no joint.
 JointFolder joint_in(const fs::path& subject) {
   const auto ball = find_mesh(subject, kBalls);
   const auto socket = find_mesh(subject, kSockets);
   if (!ball || !socket)
     throw std::runtime_error(subject.string() + " has no " + (ball ? "socket" : "ball") + " mesh");
-  JointFolder found{subject.filename().string(), *ball, *socket, {}, {}, {}, {}};
   const fs::path file = subject / kSubject;
-  if (!fs::is_regular_file(file)) return found;
-  const JointDescription said = read_description(file);
-  if (!said.centre) {
-    throw std::runtime_error(
-        file.string() + ": no " + kCentre +
-        ": give the centre of rotation as [x, y, z], or remove the file to have it fitted");
+  JointDescription said;
+  if (fs::is_regular_file(file)) {
+    said = read_description(file);
+    if (!said.centre)
+      throw std::runtime_error(file.string() +
+                               ": no center_of_rotation_mm: give the centre of rotation as [x, y, z], or "
+                               "remove the file to have it fitted");
   }
-  found.centre = said.centre;
-  found.radius = said.radius;
-  found.side = said.side;
-  found.axes = said.axes;
-  return found;
+  return {said, subject.filename().string(), *ball, *socket};
 }
 
 // The folders in a folder, in the order of their names.
@@ -133,13 +84,23 @@ JointDescription read_description(const fs::path& file) {
   const Json given = Json::parse(read_bytes(file), nullptr, /*allow_exceptions=*/false);
   if (!given.is_object()) throw FileError(file, "is no JSON object", "write one, as {\"side\": \"left\"}");
   JointDescription said;
-  for (const auto& [key, value] : given.items()) {
-    try {
-      read_key(key, value, file.parent_path(), said);
-    } catch (const std::invalid_argument& error) {
-      throw std::runtime_error(file.string() + ": " + error.what());
+  try {
+    for (const auto& [key, value] : given.items()) {
+      if (key == "landmarks" && value.is_array())
+        throw std::invalid_argument("landmarks: are one file; name it");
+      if (read_field(key, value, said)) continue;
+      const std::string_view meant = near_word(key, names_of_fields<JointDescription>());
+      if (!meant.empty())
+        throw std::invalid_argument(key + ": is no key; did you mean " + std::string(meant) + "?");
     }
+    if (said.axes) said.axes = axes_of(*said.axes);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(file.string() + ": " + error.what());
   }
+  const fs::path folder = file.parent_path();
+  if (said.landmarks) said.landmarks = folder / *said.landmarks;
+  for (auto* parts : {&said.ball_parts, &said.socket_parts})
+    for (fs::path& part : *parts) part = folder / part;
   return said;
 }
 
@@ -155,7 +116,7 @@ JointFolders find_joints(const fs::path& folder) {
   if (found.joints.empty()) {
     throw std::runtime_error(folder.string() +
                              ": no folder in it holds a joint: give one folder a subject with a ball (" +
-                             listed(kBalls) + ") and a socket (" + listed(kSockets) + ")" +
+                             joined(kBalls) + ") and a socket (" + joined(kSockets) + ")" +
                              (found.left_out.empty() ? "" : "; " + found.left_out.front()));
   }
   return found;

@@ -12,45 +12,50 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "files/fields.hpp"
 #include "hip/anatomy.hpp"
 #include "sphere/direction.hpp"
 
 namespace impinge {
 
-/// One joint, as its folder describes it.
-struct JointFolder {
-  std::string subject;              // name of its folder
-  std::filesystem::path ball;       // mesh file
-  std::filesystem::path socket;     // mesh file
-  std::optional<Vec3> centre;       // of rotation, in the input frame, mm, from the description
-  std::optional<double> radius;     // of the head, from the description, mm
-  std::optional<Side> side;         // from the description
-  std::optional<std::string> axes;  // where +x, +y and +z point (hip/anatomy.hpp), from the description
-};
-
-/// What a JSON file says of a joint: subject.json, or a file that a user writes. Each key may be missing:
-///   center_of_rotation_mm or centre   [x, y, z], mm, in the frame of the meshes
-///   side          left or right
-///   axes          an axis code, or words such as "+x = patient left, +y = posterior, +z = superior"
-///   radius_mm     of the head
-///   cartilage_mm  thickness of both layers together
-///   landmarks     a file, relative to the folder of the JSON file
-///   ball_part, socket_part   a file or a list of files, relative to the same folder
+/// What a JSON file says of a joint: subject.json, or a file that a user writes. Each key may be missing.
 struct JointDescription {
-  std::optional<Vec3> centre{};
-  std::optional<double> radius{};
-  std::optional<Side> side{};
-  std::optional<std::string> axes{};
+  std::optional<Vec3> centre{};       // mm, input frame; fitted to the ball if not given
+  std::optional<double> radius{};     // mm
+  std::optional<Side> side{};         // needed for abduction and rotation
+  std::optional<std::string> axes{};  // of the meshes (hip/anatomy.hpp); if not given, as their headers say
   std::optional<double> cartilage_mm{};
   std::optional<std::filesystem::path> landmarks{};
-  std::vector<std::filesystem::path> ball_parts{};
+  std::vector<std::filesystem::path> ball_parts{};  // meshes in the same frame (mesh/mesh_parts.hpp)
   std::vector<std::filesystem::path> socket_parts{};
+
+  static constexpr std::tuple fields{
+      Field{"center_of_rotation_mm", "mm", "[x, y, z] in the frame of the meshes", &JointDescription::centre},
+      Field{"centre", "mm", "the same", &JointDescription::centre},
+      Field{"side", "", "left or right", &JointDescription::side},
+      Field{"axes", "", "an axis code, or words such as \"+x = patient left, +y = posterior, +z = superior\"",
+            &JointDescription::axes},
+      Field{"radius_mm", "mm", "of the head", &JointDescription::radius, kPositive},
+      Field{"cartilage_mm", "mm", "thickness of both layers together", &JointDescription::cartilage_mm,
+            kNotNegative},
+      Field{"landmarks", "", "a file, relative to the folder of the JSON file", &JointDescription::landmarks},
+      Field{"ball_part", "", "bone beside the ball: a file or a list of files, relative to the same folder",
+            &JointDescription::ball_parts},
+      Field{"socket_part", "", "the same of the socket", &JointDescription::socket_parts}};
 };
 /// Reads a description. Throws FileError for a file that is no JSON object, for a value of the wrong kind,
 /// and for a key that differs from one of these by a letter or two.
 JointDescription read_description(const std::filesystem::path& file);
+
+/// One joint, as its folder describes it.
+struct JointFolder : JointDescription {
+  std::string subject;           // name of its folder
+  std::filesystem::path ball;    // mesh file
+  std::filesystem::path socket;  // mesh file
+};
 
 /// The joints of a folder.
 struct JointFolders {

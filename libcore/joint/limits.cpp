@@ -76,10 +76,6 @@ std::optional<BodyPairs::Pair> blocked_by_part(const CentredLimits& centred, con
   return pair.ball + pair.socket > 0 ? std::optional(pair) : std::nullopt;
 }
 
-std::string body_or(const std::string& otherwise, const std::vector<MeshPart>& parts, std::size_t body) {
-  return body > 0 ? body_name(parts, body) : otherwise;
-}
-
 LimitAnswer answered(Session& session, const LimitRequest& asked, Surface about, double threshold) {
   SessionJoint& joint = *session.joint;
   const bool of_socket = about == Surface::socket;
@@ -96,8 +92,8 @@ LimitAnswer answered(Session& session, const LimitRequest& asked, Surface about,
   if (const auto& contact = limit.told.limit.contact)
     limit.position = joint.axes.transpose() * contact->place + limit.centre_of_rotation;
   if (const auto pair = blocked_by_part(centred, turn, limit.told)) {
-    limit.ball_part = body_or("ball", joint.joint.ball.parts, pair->ball);
-    limit.socket_part = body_or("socket", joint.joint.socket.parts, pair->socket);
+    limit.ball_part = body_name(joint.joint.ball.parts, pair->ball).value_or("ball");
+    limit.socket_part = body_name(joint.joint.socket.parts, pair->socket).value_or("socket");
     return limit;
   }
   const auto at = meeting_of(centred, turn, limit.told);
@@ -108,9 +104,9 @@ LimitAnswer answered(Session& session, const LimitRequest& asked, Surface about,
   const Vec3 y = point_of(joint, Surface::socket, at->place, at->within_mm);
   const auto [ball, socket] = at->body;
   limit.ball_part =
-      ball > 0 ? body_name(joint.joint.ball.parts, ball) : place_on_ball(*session.places, ball_centre + x);
-  limit.socket_part = socket > 0 ? body_name(joint.joint.socket.parts, socket)
-                                 : place_on_socket(*session.places, centred.centre + y);
+      body_name(joint.joint.ball.parts, ball).value_or(place_on_ball(*session.places, ball_centre + x));
+  limit.socket_part = body_name(joint.joint.socket.parts, socket)
+                          .value_or(place_on_socket(*session.places, centred.centre + y));
   return limit;
 }
 
@@ -142,8 +138,7 @@ void make_limits(Session& session, bool about_socket, bool rim) {
   const Joint& bones = joint.joint;
   if (!session.places)
     session.places =
-        joint_places({in_joint_frame(joint, main_surface(bones.ball.mesh, bones.ball.parts)),
-                      in_joint_frame(joint, main_surface(bones.socket.mesh, bones.socket.parts))});
+        joint_places({in_joint_frame(joint, bones.ball.main()), in_joint_frame(joint, bones.socket.main())});
   if (session.limits_of_rim != rim) {
     session.limits.reset();
     session.socket_limits.reset();

@@ -14,7 +14,6 @@
 #include "gap/overlay.hpp"
 #include "joint/pose_answer.hpp"
 #include "sphere/radial_table.hpp"
-#include "sphere/scheme_choice.hpp"
 
 namespace impinge {
 namespace {
@@ -50,17 +49,13 @@ BallSocketPair meshes_of(const SessionJoint& joint) {
 }
 
 SceneNeeds needs_of(const GapsRequest& asked, const Pose& pose) {
-  return {Question::all_gaps, asked.scans(Surface::ball), asked.scans(Surface::socket), {pose}};
+  return {Question::all_gaps, asked.scans(Surface::ball), asked.scans(Surface::socket), pose};
 }
 
 GapsAnswer by_whole_tables(Session& session, const GapsRequest& asked) {
-  double precision_deg = 0.0;
-  with_scheme(asked.scheme_name(), [&]<class S>() {
-    constexpr double kEntry = sizeof(double) + sizeof(float);  // radius and slope
-    const S scheme = S::with_precision(asked.precision());
-    precision_deg = scheme.precision_deg();
-    require_memory(scheme.size(), asked.precision(), kEntry, "");
-  });
+  constexpr double kEntry = sizeof(double) + sizeof(float);  // radius and slope
+  const AnyScheme scheme(asked.scheme_name(), asked.precision());
+  require_memory(scheme.size(), asked.precision(), kEntry, "");
   fill_tables(session, {.scheme = asked.scheme_name(),
                         .precision_deg = asked.precision(),
                         .storage = Storage::double_precision,
@@ -68,7 +63,7 @@ GapsAnswer by_whole_tables(Session& session, const GapsRequest& asked) {
                         .halvings = 1'000'000});
   GapsAnswer result = answer_pose(session, {asked.pose, Vec3::Zero(), asked.cartilage_mm});
   result.way = kWholeTables;
-  result.precision_deg = precision_deg;
+  result.precision_deg = scheme.precision_deg();
   result.entries_per_table = session.tables.ball->entries();
   result.table_bytes = 2 * result.entries_per_table * sizeof(double);
   bound_gaps(session, result);
@@ -78,8 +73,8 @@ GapsAnswer by_whole_tables(Session& session, const GapsRequest& asked) {
 // The answer with the gaps of a scene and all that follows from them.
 GapsAnswer answer_of_scene(const SessionJoint& joint, const GapsRequest& asked, const Pose& pose,
                            SceneAnswer scene) {
-  PoseGaps& gaps = scene.gaps.front();
-  GapsAnswer result = answer_of_gaps(joint, pose, std::move(gaps[0]), std::move(gaps[1]), asked.cartilage_mm);
+  auto& [ball, socket] = scene.gaps;
+  GapsAnswer result = answer_of_gaps(joint, pose, std::move(ball), std::move(socket), asked.cartilage_mm);
   result.left_out = std::move(scene.left_out);
   return result;
 }

@@ -6,10 +6,9 @@
 namespace impinge {
 
 BallSocketPair measured_meshes(const SessionJoint& joint) {
-  const auto& ball = joint.joint.ball;
-  const auto& socket = joint.joint.socket;
+  const JointPart& ball = joint.joint.ball;
   return {in_joint_frame(joint, whole_main(ball.mesh, ball.parts)),
-          in_joint_frame(joint, main_surface(socket.mesh, socket.parts))};
+          in_joint_frame(joint, joint.joint.socket.main())};
 }
 
 MeasureAnswer answer(Session& session, const MeasureRequest& /*request*/) {

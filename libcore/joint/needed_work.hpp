@@ -23,23 +23,23 @@
 #include "gap/surface.hpp"
 #include "sphere/any_scheme.hpp"
 #include "sphere/entry_set.hpp"
+#include "sphere/infinity.hpp"
 #include "table/near_faces.hpp"
 
 namespace impinge {
 
-/// The question that is asked of the poses.
+/// What is asked of a pose.
 enum class Question {
-  touch,          // of each pose: has some vertex a gap of 0 or less?
-  first_contact,  // the smallest gap of any vertex in any pose
-  all_gaps,       // the gap of every vertex in every pose
+  smallest_gap,  // the smallest gap of any vertex
+  all_gaps,      // the gap of every vertex
 };
 
-/// A question, about which vertices, in which poses.
+/// A question, about which vertices, in which pose.
 struct SceneNeeds {
-  Question question = Question::all_gaps;  // the question
-  bool ball = true;                        // the first scan: vertices of the ball against the socket
-  bool socket = true;                      // the second scan
-  std::vector<Pose> poses{Pose{}};         // of the ball in the socket, in the order of the answer
+  Question question = Question::all_gaps;
+  bool ball = true;    // the first scan: vertices of the ball against the socket
+  bool socket = true;  // the second scan
+  Pose pose{};         // of the ball in the socket
 
   /// Are the vertices of this surface asked about?
   bool scans(Surface of) const { return of == Surface::ball ? ball : socket; }
@@ -55,14 +55,8 @@ struct LeftOut {
 
 /// The vertices to look at in each scan, and what their choice rests on.
 struct NeededVertices {
-  std::array<std::vector<std::vector<VertexIndex>>, 2> of;  // ball, socket; a list for each pose, or for all
-  /// mm; some gap is proven to be this small or smaller: for `touch` in each pose, else in one of them.
-  std::vector<double> limit_mm;
-
-  /// The list of a scan (0 or 1) in a pose.
-  const std::vector<VertexIndex>& in(std::size_t scan, std::size_t pose) const {
-    return of[scan][of[scan].size() == 1 ? 0 : pose];
-  }
+  std::array<std::vector<VertexIndex>, 2> of;  // ball, socket
+  double limit_mm = kInfinity;                 // some gap is proven to be this small or smaller
 };
 
 /// The faces of the other surface that the vertices of ball and socket meet; null: not scanned.
@@ -78,49 +72,44 @@ NeededVertices all_vertices(const BallSocketPair& joint, const SceneNeeds& needs
 ///   no face within the margin             there is no gap
 ///   upper end of the gap, not at a rim    some gap is as small as that; the least of these ends is the limit
 ///   lower end of the gap above the limit  the vertex does not have the smallest gap
-/// For `touch`, a limit above 0 counts as 0. A table has no answer in cells beside a rim, and these may reach
-/// beyond the margin. If therefore no gap keeps the limit (limit_kept()), all vertices are looked at.
+/// A table has no answer in cells beside a rim, and these may reach beyond the margin. If therefore no gap
+/// keeps the limit, all vertices are looked at.
 NeededVertices needed_vertices(const BallSocketPair& joint, const SceneNeeds& needs, const FacesMet& faces);
 /// The entries that the look-ups of these vertices read.
 EntrySet needed_entries(const BallSocketPair& joint, const SceneNeeds& needs, const NeededVertices& vertices,
                         Surface scanned, const AnyScheme& scheme);
 
-/// The smallest gap; of equal ones the first in the order of scans, poses and vertices.
+/// The smallest gap; of equal ones the first in the order of scans and vertices.
 struct SmallestGap {
   double gap_mm = 0.0;              // of the vertex
   Surface scanned = Surface::ball;  // whose vertex it is
-  std::size_t pose = 0;             // index in the needs
   std::size_t vertex = 0;           // index in the mesh
   bool operator==(const SmallestGap&) const = default;
 };
 
-/// Gaps of all vertices of ball and socket in one pose, mm; NaN where the other surface is not met, empty
-/// where there is no such scan.
+/// Gaps of all vertices of ball and socket, mm; NaN where the other surface is not met, empty where there is
+/// no such scan.
 using PoseGaps = std::array<std::vector<double>, 2>;
 
 /// The answer to a scene, and what it took.
 struct SceneAnswer {
-  std::vector<bool> touches;            // of each pose, for `touch`
-  std::optional<SmallestGap> smallest;  // for `first_contact`; none where the surfaces do not meet
-  std::vector<PoseGaps> gaps;           // of each pose, for `all_gaps`
+  std::optional<SmallestGap> smallest;  // for `smallest_gap`; none where the surfaces do not meet
+  PoseGaps gaps;                        // for `all_gaps`
   std::size_t bytes = 0;                // memory of tables or what replaced them, without the answer
   std::size_t entries = 0;              // number worked out
   std::size_t look_ups = 0;             // number done
   std::vector<LeftOut> left_out;        // what was left out, and why
 };
 
-/// Gap of a vertex at x in the frame of the other surface, mm, NaN where there is none. For `touch` it only
-/// matters whether it is 0 or less.
+/// Gap of a vertex at x in the frame of the other surface, mm, NaN where there is none.
 using GapAt = std::function<double(Surface scanned, std::size_t vertex, const Vec3& x)>;
 
 /// The answer from the gaps of the vertices in `vertices`.
 SceneAnswer answer_from(const BallSocketPair& joint, const SceneNeeds& needs, const NeededVertices& vertices,
                         const GapAt& gap);
-/// Does the answer have a gap up to the limit wherever one was proven to exist?
-bool limit_kept(const SceneNeeds& needs, const NeededVertices& vertices, const SceneAnswer& answer);
 
 /// Answers by gaps on the faces (gap/measured_gap.hpp, gap/exact_side.hpp). Throws std::invalid_argument for
-/// a scene without poses or scans.
+/// a scene without scans.
 SceneAnswer answer_on_faces(const BallSocketPair& joint, const SceneNeeds& needs, const FacesMet& faces,
                             const GapAt& gap);
 /// Answers by a table in double of each surface; only what is read is filled (table/partial_table.hpp).

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include <Eigen/Geometry>
 
@@ -24,22 +23,14 @@ bool holds(const OrientationCell& cell, const CupAngles& angles) {
 
 // The present angles of the socket: as given, else from measure_hip() if the rim can be trusted.
 CupAsScanned as_scanned(const SessionJoint& joint, const OrientRequest& request) {
-  CupAsScanned now;
-  if (request.inclination_deg) {
-    now.inclination_deg = *request.inclination_deg;
-    now.anteversion_deg = *request.anteversion_deg;
-    return now;
-  }
+  if (request.inclination_deg) return {{*request.inclination_deg, *request.anteversion_deg}};
   try {
     const TrustedOpening found = trusted_opening(measured_meshes(joint), *joint.side);
-    now.inclination_deg = found.angles.inclination_deg;
-    now.anteversion_deg = found.angles.anteversion_deg;
-    now.angles = found.state;
+    return {found.angles, found.state};
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(std::string("the socket's ") + error.what() +
                              "; give inclination and anteversion of the socket");
   }
-  return now;
 }
 
 std::optional<NearestFree> nearest_free(const SessionJoint& joint, const OrientationQuestion& question,
@@ -67,7 +58,7 @@ OrientAnswer answer(Session& session, const OrientRequest& request) {
   const CupAsScanned now = as_scanned(joint, request);
   const OrientationQuestion question{.legs = required_legs(request.require, joint.side),
                                      .side = *joint.side,
-                                     .at_rest = {now.inclination_deg, now.anteversion_deg},
+                                     .at_rest = now,
                                      .tilt_deg = request.tilt_deg,
                                      .resolution_deg = request.resolution_deg};
   OrientAnswer found{

@@ -57,9 +57,7 @@ struct OrientRequest {
 };
 
 /// The socket as it is.
-struct CupAsScanned {
-  double inclination_deg = 0.0;
-  double anteversion_deg = 0.0;
+struct CupAsScanned : CupAngles {
   std::string angles = "given";
   CellState state = CellState::open;
 
@@ -71,23 +69,20 @@ struct CupAsScanned {
 };
 
 /// The nearest orientation that is proven free, and the turn to it.
-struct NearestFree {
-  NearestOrientation to;
+struct NearestFree : NearestOrientation {
   std::optional<Vec3> axis;  // none where nothing turns
   double at_least_deg = 0.0;
 
   static constexpr std::tuple fields{
-      Field{"inclination_deg", "deg", "radiographic",
-            via(&NearestFree::to, &NearestOrientation::angles, &CupAngles::inclination_deg)},
-      Field{"anteversion_deg", "deg", "radiographic",
-            via(&NearestFree::to, &NearestOrientation::angles, &CupAngles::anteversion_deg)},
+      Field{"inclination_deg", "deg", "radiographic", via(&NearestFree::angles, &CupAngles::inclination_deg)},
+      Field{"anteversion_deg", "deg", "radiographic", via(&NearestFree::angles, &CupAngles::anteversion_deg)},
       Field{"inclination_change_deg", "deg", "from the socket as scanned",
-            via(&NearestFree::to, &NearestOrientation::change, &CupAngles::inclination_deg)},
+            via(&NearestFree::change, &CupAngles::inclination_deg)},
       Field{"anteversion_change_deg", "deg", "the same",
-            via(&NearestFree::to, &NearestOrientation::change, &CupAngles::anteversion_deg)},
+            via(&NearestFree::change, &CupAngles::anteversion_deg)},
       Field{"turn_deg", "deg",
             "angle of the one rotation about the centre that does both; the least there is",
-            via(&NearestFree::to, &NearestOrientation::turn_deg)},
+            &NearestFree::turn_deg},
       Field{"turn_axis", "",
             "unit vector in the frame of the meshes, by the right-hand rule; none where nothing turns",
             &NearestFree::axis},

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include "files/stopwatch.hpp"
@@ -56,16 +55,9 @@ std::optional<SmallestOfPose> smallest_of(const SessionJoint& joint, const GapsA
   const GapSummary& socket = found.socket.all;
   if (!ball.smallest && !socket.smallest) return std::nullopt;
   const bool on_ball = ball.smallest && (!socket.smallest || ball.smallest_gap <= socket.smallest_gap);
-  const std::size_t vertex = on_ball ? *ball.smallest : *socket.smallest;
-  const Vec3 place = on_ball ? to_socket(found.pose, joint.joint.ball.mesh.vertices[vertex])
-                             : joint.joint.socket.mesh.vertices[vertex];
-  return SmallestOfPose{.gap_mm = on_ball ? ball.smallest_gap : socket.smallest_gap,
-                        .error_bound_mm = {},
-                        .euclidean_distance_mm = {},
-                        .surface = on_ball ? Surface::ball : Surface::socket,
-                        .vertex = vertex,
-                        .position = place + joint.joint.centre,
-                        .hours = joint.hours(place)};
+  const GapSummary& of = on_ball ? ball : socket;
+  return smallest_at(joint, found.pose, on_ball ? Surface::ball : Surface::socket, *of.smallest,
+                     of.smallest_gap);
 }
 
 double median(std::vector<double>& bounds) {
@@ -78,9 +70,9 @@ double median(std::vector<double>& bounds) {
 }  // namespace
 
 std::vector<Vec3> posed_places(const SessionJoint& joint, const Pose& pose, Surface of) {
-  if (of == Surface::socket) return joint.joint.socket.mesh.vertices;
-  std::vector<Vec3> places = joint.joint.ball.mesh.vertices;
-  for (Vec3& x : places) x = to_socket(pose, x);
+  std::vector<Vec3> places = joint.bone(of).mesh.vertices;
+  if (of == Surface::ball)
+    for (Vec3& x : places) x = to_socket(pose, x);
   return places;
 }
 

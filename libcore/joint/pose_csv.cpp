@@ -84,11 +84,12 @@ bool takes_matrices(const PoseLines& lines, Header& header) {
 
 Header read_header(const PoseLines& lines, const std::vector<std::string_view>& words) {
   Header header;
-  for (const std::string_view word : words) header.places.push_back(place_of(word));
   PoseList& list = header.list;
   std::vector<std::string> names;
-  for (const Place& place : header.places)
-    if (place.use == Place::moved) names.push_back(place.name);
+  for (const std::string_view word : words) {
+    header.places.push_back(place_of(word));
+    if (header.places.back().use == Place::moved) names.emplace_back(word);
+  }
   if (names.empty()) lines.refuse("no column names an angle, a quaternion or a matrix");
   const bool matrices = takes_matrices(lines, header);
   PoseList named;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "joint/pose_file.hpp"
-
 #include <cmath>
 #include <limits>
 

@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "files/delimited.hpp"
 #include "joint/pose_list.hpp"

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <tuple>
 
 #include "files/file_error.hpp"
 #include "hip/pose_travel.hpp"
 #include "joint/document.hpp"
 
 namespace impinge {
+
 void PosesRequest::check() const {
   if (poses.has_value() == path.has_value())
     throw std::invalid_argument(
@@ -17,18 +17,20 @@ void PosesRequest::check() const {
   if (path) in_field("path", [&] { parse_pose_grid(*path); });
 }
 
-bool PosesRequest::asks(PosesOutput output) const {
-  return std::find(outputs.begin(), outputs.end(), output) != outputs.end();
+void add_row(std::string_view touch, const std::optional<SmallestOfPoses>& gap, PosesAnswer& all) {
+  ++all.number_of_poses;
+  if (touch == "untracked") ++all.untracked;
+  if (all.touching && touch == "yes") ++*all.touching;
+  if (!gap || (all.smallest_gap && gap->gap_mm >= all.smallest_gap->gap_mm)) return;
+  all.smallest_gap = gap;
+  all.smallest_gap->pose = all.number_of_poses;
 }
 
 void add_row(const PoseRow& row, PosesAnswer& all) {
-  ++all.number_of_poses;
-  if (!row.tracked) ++all.untracked;
-  if (all.touching && row.touch() == "yes") ++*all.touching;
-  const auto& gap = row.smallest;
-  if (gap && (!all.smallest_gap || gap->gap_mm < all.smallest_gap->gap_mm))
-    all.smallest_gap = {all.number_of_poses, gap->gap_mm, std::string(name(gap->surface)), gap->vertex,
-                        gap->clock()};
+  std::optional<SmallestOfPoses> found;
+  if (const auto& gap = row.smallest)
+    found = {0, gap->gap_mm, std::string(name(gap->surface)), gap->vertex, gap->clock()};
+  add_row(row.touch(), found, all);
 }
 
 PoseList list_of(const PosesRequest& request, const SessionJoint& joint) {
@@ -70,44 +72,34 @@ Pose pose_about(const Vec3& centre, const Eigen::Matrix3d& rotation, const Vec3&
 }
 
 PoseSeries::PoseSeries(const SessionJoint& joint, const PosesRequest& asked)
-    : joint_(joint),
-      asked_(asked),
-      meshes_{main_surface(joint.joint.ball.mesh, joint.joint.ball.parts),
-              main_surface(joint.joint.socket.mesh, joint.joint.socket.parts)},
-      culled_(meshes_) {
-  const auto& [ball, socket] = std::tie(joint.joint.ball, joint.joint.socket);
-  if (asked.asks(PosesOutput::touch))
-    bodies_.emplace(meshes_, bone_parts({ball.mesh, ball.parts}, {socket.mesh, socket.parts}));
-  if (!asked.asks(PosesOutput::areas)) return;
-  scans_.emplace_back(meshes_.ball, meshes_.socket, facing_layer(Surface::socket));
-  scans_.emplace_back(meshes_.socket, meshes_.ball, facing_layer(Surface::ball));
+    : joint_(joint), asked_(asked), meshes_(joint.joint.main()), culled_(meshes_) {
+  if (asked.asks(PosesOutput::touch)) bodies_.emplace(meshes_, joint.joint.beside());
+  if (asked.asks(PosesOutput::areas))
+    cells_.emplace(packed_joint(exact_cells(meshes_.ball, facing_layer(Surface::ball)),
+                                exact_cells(meshes_.socket, facing_layer(Surface::socket)), meshes_.ball,
+                                meshes_.socket));
 }
 
-PoseSeries::Scan::Scan(const TriangleMesh& scanned, const TriangleMesh& facing, Layer layer)
-    : cells(exact_cells(facing, layer)),
-      vertices(packed_vertices<float>(scanned.vertices)),
-      areas(vertex_areas(scanned)) {}
-
-void PoseSeries::add_areas(const Pose& pose, Surface of, double& bone, double& cartilage) const {
-  const Scan& scan = scans_[of == Surface::ball ? 0 : 1];
-  std::vector<float> gap(scan.vertices.size());
-  scan_gaps(scan.cells, scan.vertices, pose, of, gap);
-  const auto touching = static_cast<float>(asked_.cartilage_mm);
-  for (std::size_t i = 0; i < gap.size(); ++i) {
-    cartilage += gap[i] <= touching ? scan.areas[i] : 0.0;
-    bone += gap[i] <= 0.0F ? scan.areas[i] : 0.0;
-  }
+PoseAreas PoseSeries::areas(const Pose& pose) const {
+  std::vector<float> ball(cells_->ball.size());
+  std::vector<float> socket(cells_->socket.size());
+  scan_joint(*cells_, pose, ball, socket);
+  const auto up_to = [](double gap_mm, const std::vector<float>& gaps, const std::vector<double>& areas) {
+    double area = 0.0;
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+      area += gaps[i] <= static_cast<float>(gap_mm) ? areas[i] : 0.0;
+    return area;
+  };
+  const double touching = asked_.cartilage_mm;
+  return {up_to(0.0, ball, joint_.ball.area), up_to(0.0, socket, joint_.socket.area),
+          up_to(touching, ball, joint_.ball.area), up_to(touching, socket, joint_.socket.area)};
 }
 
 PoseRow PoseSeries::answer(const Pose& pose) const {
   PoseRow row;
   if (bodies_) row.verdict = bodies_->verdict(pose);
-  if (!scans_.empty()) {
-    PoseAreas& areas = row.areas.emplace();
-    add_areas(pose, Surface::ball, areas.bone_ball_mm2, areas.cartilage_ball_mm2);
-    add_areas(pose, Surface::socket, areas.bone_socket_mm2, areas.cartilage_socket_mm2);
-  }
-  if (asked_.asks(PosesOutput::gap)) row.smallest = smallest_gap(joint_, culled_, meshes_, pose);
+  if (cells_) row.areas = areas(pose);
+  if (asked_.asks(PosesOutput::gap)) row.smallest = smallest_gap(joint_, culled_, pose);
   return row;
 }
 

@@ -2,6 +2,7 @@
 // Touch and the smallest gap in many poses.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <filesystem>
@@ -15,7 +16,7 @@
 #include "files/fields.hpp"
 #include "gap/simd/exact_cells.hpp"
 #include "gap/simd/joint_scan.hpp"
-#include "joint/pose_file.hpp"
+#include "joint/pose_list.hpp"
 #include "joint/touch.hpp"
 
 namespace impinge {
@@ -41,7 +42,7 @@ struct PosesRequest {
             kNotNegative}};
   /// Throws std::invalid_argument for options that exclude each other.
   void check() const;
-  bool asks(PosesOutput output) const;
+  bool asks(PosesOutput output) const { return std::ranges::count(outputs, output) > 0; }
 };
 
 /// Impinged areas from the vertices' gaps in float: extra columns if they are asked for.
@@ -123,7 +124,8 @@ struct PosesAnswer {
       Field{"doubt", "", "what looks wrong with the poses; null if nothing does", &PosesAnswer::doubt}};
 };
 
-/// Adds the next row to the summary of all rows.
+/// Adds the next row to the summary of all rows; `touch` and `gap` are what the row says.
+void add_row(std::string_view touch, const std::optional<SmallestOfPoses>& gap, PosesAnswer& all);
 void add_row(const PoseRow& row, PosesAnswer& all);
 
 /// Reads or makes the poses. Throws FileError or std::invalid_argument, one line.
@@ -153,22 +155,14 @@ class PoseSeries {
   PoseRow answer(const Pose& pose) const;
 
  private:
-  /// One surface's vertices, and the faces that they meet.
-  struct Scan {
-    Scan(const TriangleMesh& scanned, const TriangleMesh& facing, Layer layer);
-
-    ExactCells cells;  // of the other surface
-    PackedVertices<float> vertices;
-    std::vector<double> areas;  // mm^2
-  };
-  void add_areas(const Pose& pose, Surface of, double& bone, double& cartilage) const;
+  PoseAreas areas(const Pose& pose) const;
 
   const SessionJoint& joint_;
   PosesRequest asked_;
   BallSocketPair meshes_;            // the main surfaces
   std::optional<BodyPairs> bodies_;  // if touch is asked for
   CulledJoint culled_;
-  std::vector<Scan> scans_;  // of ball and socket, if areas are asked for
+  std::optional<PackedJoint<ExactCells>> cells_;  // if areas are asked for
 };
 
 }  // namespace impinge

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/proof.hpp"
 
-#include <algorithm>
-#include <array>
 #include <stdexcept>
-#include <string>
 
 #include "files/formatted.hpp"
 #include "joint/document.hpp"
@@ -36,14 +33,6 @@ std::array<std::size_t, 2> files_of(const Joint& joint) {
   return {files(joint.ball), files(joint.socket)};
 }
 
-// The bodies as they lie in the files; those of a session may be shifted.
-BodyPairs bodies_of(const Joint& joint) {
-  const JointPart& ball = joint.ball;
-  const JointPart& socket = joint.socket;
-  return {{main_surface(ball.mesh, ball.parts), main_surface(socket.mesh, socket.parts)},
-          bone_parts({ball.mesh, ball.parts}, {socket.mesh, socket.parts})};
-}
-
 // Index of a face in its file; the faces of a whole bone were put in another order.
 std::uint32_t given_face(const JointPart& part, std::uint32_t face) {
   return part.taken && face < part.taken->of ? part.taken->given[face] : face;
@@ -52,8 +41,10 @@ std::uint32_t given_face(const JointPart& part, std::uint32_t face) {
 }  // namespace
 
 ClearanceProof answer_proof(const SessionJoint& joint, const Pose& pose) {
+  // As they lie in the files; those of a session may be shifted.
   const BallSocketPair meshes{joint.joint.ball.mesh, joint.joint.socket.mesh};
-  ClearanceProof proof = prove_pose({meshes, bodies_of(joint.joint), joint.joint.centre}, pose);
+  const BodyPairs bodies(joint.joint.main(), joint.joint.beside());
+  ClearanceProof proof = prove_pose({meshes, bodies, joint.joint.centre}, pose);
   require_proven(proof, "");
   proof.faces = {given_face(joint.joint.ball, proof.faces[0]),
                  given_face(joint.joint.socket, proof.faces[1])};
@@ -70,7 +61,7 @@ ClearanceProof answer_proof(Session& session, const LimitRequest& request) {
   const BallSocketPair meshes{joint.joint.ball.mesh, joint.joint.socket.mesh};
   const JointTurn turn =
       in_input_frame(joint_turn(request.start, motion_name(request.growing), joint.side), joint.axes);
-  const BodyPairs bodies = bodies_of(joint.joint);
+  const BodyPairs bodies(joint.joint.main(), joint.joint.beside());
   ClearanceProof proof;
   for (const double before : kProofEndsBefore) {
     if (!(limit > before)) break;

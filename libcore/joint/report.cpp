@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/report.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 namespace impinge {
-
-bool ReportRequest::has(ReportPart part) const {
-  return std::find(without.begin(), without.end(), part) == without.end();
-}
 
 ReportAnswer answer(Session& session, const ReportRequest& request, VolumeSettings how) {
   if (!session.joint->side)

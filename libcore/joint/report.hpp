@@ -2,6 +2,7 @@
 // The report on one joint: several questions at once, each answered as it is alone.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -34,7 +35,7 @@ struct ReportRequest {
             &ReportRequest::width, Range{.least = 0.0, .most = 1.0, .above = true}},
       Field{"cartilage_mm", "mm", "thickness of both layers together [4 for gaps, none for limits]",
             &ReportRequest::cartilage_mm, kNotNegative}};
-  bool has(ReportPart part) const;
+  bool has(ReportPart part) const { return std::ranges::count(without, part) == 0; }
   /// Gaps up to this are asked about, too.
   double threshold_mm() const { return has(ReportPart::limits) ? cartilage_mm.value_or(0.0) : 0.0; }
   static constexpr const char* kThresholdOption = "--cartilage";

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -41,8 +40,8 @@ std::string at_place(const SessionJoint& joint, Surface of, const Vec3& place) {
 
 // "the ball meets the socket", or with the names of the parts.
 std::string meet(const Joint& joint, std::size_t ball, std::size_t socket) {
-  return (ball == 0 ? "the ball" : body_name(joint.ball.parts, ball)) + " meets " +
-         (socket == 0 ? "the socket" : body_name(joint.socket.parts, socket));
+  return body_name(joint.ball.parts, ball).value_or("the ball") + " meets " +
+         body_name(joint.socket.parts, socket).value_or("the socket");
 }
 
 // Refuses a joint that is not free in the pose of the scan.
@@ -70,7 +69,14 @@ void require_whole_ball(const RequiredLeg& leg, const TurnLimit& after) {
                            ": what is missing may be in the way; require less, or give more of the bone");
 }
 
-// A place where a cut reaches the bearing surface of the ball.
+// A place where a cut takes bone of the bearing surface.
+template <class Bears>
+std::optional<Vec3> place_of_cut(const Resection& cut, const Bears& bears) {
+  for (std::size_t v = 0; v < cut.depth.size(); ++v)
+    if (cut.depth[v] > 0.0 && bears(cut.before.vertices[v])) return cut.before.vertices[v];
+  return std::nullopt;
+}
+
 std::optional<Vec3> head_cut(const Resection& cut, const TriangleMesh& ball, const RadiiOverCap& socket) {
   SphereFit fit;
   try {
@@ -78,62 +84,39 @@ std::optional<Vec3> head_cut(const Resection& cut, const TriangleMesh& ball, con
   } catch (const std::invalid_argument&) {
     return std::nullopt;  // no part of it is a sphere
   }
-  for (std::size_t v = 0; v < cut.depth.size(); ++v) {
-    const Vec3& x = cut.before.vertices[v];
-    if (cut.depth[v] > 0.0 && std::abs((x - fit.centre).norm() - fit.radius) <= fit.trim &&
-        !std::isnan(socket.radius(x.normalized())))
-      return x;
-  }
-  return std::nullopt;
+  return place_of_cut(cut, [&](const Vec3& x) {
+    return std::abs((x - fit.centre).norm() - fit.radius) <= fit.trim &&
+           !std::isnan(socket.radius(x.normalized()));
+  });
 }
 
-// The inside of a socket, as seen from the centre of the sphere that fits it.
-class SocketSphere {
- public:
-  SocketSphere(const TriangleMesh& socket, const SphereFit& fit)
-      : fit_(fit), mesh_(relative_to(socket, fit.centre)), faces_(mesh_, 0.0) {}
-  SocketSphere(const SocketSphere&) = delete;
-  SocketSphere& operator=(const SocketSphere&) = delete;
-
-  // The tolerance is not the fit's own trim: flat faces are off the sphere where their corners are on it.
-  bool holds(double radius) const {
-    return std::abs(radius / fit_.radius - 1.0) <= BallFitOptions{}.trim;  // NaN: the surface has ended
-  }
-  /// Is x on the sphere, and does the sphere go on all round it, `within` mm away?
-  bool goes_on_round(const Vec3& x, double within) const {
-    constexpr int kTried = 24;
-    const Vec3 at = x - fit_.centre;
-    if (!holds(at.norm()) || within >= kPi * fit_.radius) return false;  // no place is as far away
-    const Vec3 axis = at.normalized();
-    const Vec3 beside = Eigen::AngleAxisd(within / fit_.radius, axis.unitOrthogonal()) * axis;
-    for (int k = 0; k < kTried; ++k) {
-      const Vec3 u = Eigen::AngleAxisd(2.0 * kPi * k / kTried, axis) * beside;
-      if (!holds(faces_.radius(u, Layer::nearest))) return false;
-    }
-    return true;
-  }
-
- private:
-  SphereFit fit_;
-  TriangleMesh mesh_;
-  NearFaces faces_;
-};
-
-// A place where a cut reaches the bearing surface of the socket.
+// The sphere of a socket bears where it goes on all round, `most_rim` mm away.
 std::optional<Vec3> socket_cut(const Resection& cut, const TriangleMesh& ball, const TriangleMesh& socket,
                                double most_rim) {
+  constexpr int kTried = 24;
   SphereFit fit;
   try {
     fit = measure_acetabulum(socket, fit_ball(ball), Side::right).socket;  // the side changes no sphere
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
-  const SocketSphere sphere(socket, fit);
-  for (std::size_t v = 0; v < cut.depth.size(); ++v) {
-    const Vec3& x = cut.before.vertices[v];
-    if (cut.depth[v] > 0.0 && sphere.goes_on_round(x, most_rim)) return x;
-  }
-  return std::nullopt;
+  const TriangleMesh seen = relative_to(socket, fit.centre);
+  const NearFaces faces(seen, 0.0);
+  // The tolerance is not the fit's own trim: flat faces are off the sphere where their corners are on it.
+  const auto holds = [&](double radius) {
+    return std::abs(radius / fit.radius - 1.0) <= BallFitOptions{}.trim;  // NaN: the surface has ended
+  };
+  return place_of_cut(cut, [&](const Vec3& x) {
+    const Vec3 at = x - fit.centre;
+    if (!holds(at.norm()) || most_rim >= kPi * fit.radius) return false;  // no place is as far away
+    const Vec3 axis = at.normalized();
+    const Vec3 beside = Eigen::AngleAxisd(most_rim / fit.radius, axis.unitOrthogonal()) * axis;
+    for (int k = 0; k < kTried; ++k) {
+      const Vec3 u = Eigen::AngleAxisd(2.0 * kPi * k / kTried, axis) * beside;
+      if (!holds(faces.radius(u, Layer::nearest))) return false;
+    }
+    return true;
+  });
 }
 
 void require_no_bearing_cut(const SessionJoint& joint, const ResectRequest& request, const Resection& cut,
@@ -296,9 +279,8 @@ ResectAnswer answer(Session& session, const ResectRequest& request) {
   if (of_ball) found.neck = neck_left(joint, request, cut, ball);
   const TurnLimits after(of_ball ? BallSocketPair{cut.cut, socket} : BallSocketPair{ball, cut.cut}, beside);
   for (const RequiredLeg& leg : legs)
-    found.legs.push_back({describe(leg), leg.growing, leg.start, leg.largest_deg,
-                          before.first_contact(leg.turn, leg.largest_deg),
-                          reached(joint, after, cut.of, leg)});
+    found.legs.push_back(
+        {leg, before.first_contact(leg.turn, leg.largest_deg), reached(joint, after, cut.of, leg)});
   if (request.least) {
     LeastCut least = least_cut(ball, SweptBone(socket, legs, request.clearance_mm), kLeastQuestion);
     nest(least, cut);

@@ -101,19 +101,16 @@ inline constexpr std::tuple fields_of<TurnLimit>{
     Field{"high_deg", "deg", "where limited, contact here", &TurnLimit::high_deg}};
 
 /// A leg of a required path, before and after the cut.
-struct ResectLeg {
-  std::string words;
-  std::string_view motion;
-  Motion start;
-  double required_deg = 0.0;
+struct ResectLeg : RequiredLeg {
   TurnLimit before;
   TurnLimit after;
 
   static constexpr std::tuple fields{
-      Field{"words", "", "as internal_rotation from 0 to 30 degrees at flexion 90", &ResectLeg::words},
-      Field{"motion", "", "the angle that grows", &ResectLeg::motion},
+      Field{"words", "", "as internal_rotation from 0 to 30 degrees at flexion 90",
+            [](const RequiredLeg& leg) { return describe(leg); }},
+      Field{"motion", "", "the angle that grows", &ResectLeg::growing},
       Field{"start", "deg", "where the leg begins", &ResectLeg::start},
-      Field{"required_deg", "deg", "of growth", &ResectLeg::required_deg},
+      Field{"required_deg", "deg", "of growth", &ResectLeg::largest_deg},
       Field{"before", "", "first contact before the cut, up to what is required", &ResectLeg::before},
       Field{"after", "", "and after it, up to 10 degrees more", &ResectLeg::after}};
 };

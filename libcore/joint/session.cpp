@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "files/stopwatch.hpp"
 #include "hip/hip.hpp"
@@ -72,7 +71,7 @@ SessionJoint::SessionJoint(Joint put_together, std::optional<Side> of, const std
     : joint(std::move(put_together)),
       side(of),
       axes(joint.frames ? joint.frames->pelvis : input_to_joint(axis_code)),
-      dial(dial_of(main_surface(joint.socket.mesh, joint.socket.parts), axes)),
+      dial(dial_of(joint.socket.main(), axes)),
       ball(joint.ball.mesh, joint.ball.parts),
       seen(joint.socket.mesh),
       socket(seen, joint.socket.parts) {
@@ -111,9 +110,7 @@ void shift_ball(Session& session, const Vec3& shift) {
   SessionJoint& joint = *session.joint;
   if (shift == joint.shift) return;
   SessionTables& tables = session.tables;
-  auto socket = fill_table(
-      tables.settings, relative_to(main_surface(joint.joint.socket.mesh, joint.joint.socket.parts), shift),
-      Layer::nearest);
+  auto socket = fill_table(tables.settings, relative_to(joint.joint.socket.main(), shift), Layer::nearest);
   joint.shift_to(shift);
   tables.socket = std::move(socket);
   tables.socket_bounds.reset();

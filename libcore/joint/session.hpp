@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,12 +46,12 @@ struct SessionJoint {
 
   /// Data of the ball, or of the socket about the centre of the ball.
   const SessionPart& part(Surface of) const { return of == Surface::ball ? ball : socket; }
+  /// The bone as it was put together.
+  const JointPart& bone(Surface of) const { return of == Surface::ball ? joint.ball : joint.socket; }
   /// The mesh of the ball, or of the socket about the centre of the ball.
   const TriangleMesh& mesh(Surface of) const { return of == Surface::ball ? joint.ball.mesh : seen; }
   /// The mesh without its parts.
-  TriangleMesh main(Surface of) const {
-    return main_surface(mesh(of), (of == Surface::ball ? joint.ball : joint.socket).parts);
-  }
+  TriangleMesh main(Surface of) const { return main_surface(mesh(of), bone(of).parts); }
   /// The bone of both sides beside the main surfaces.
   BoneParts beside() const {
     return bone_parts({joint.ball.mesh, joint.ball.parts}, {seen, joint.socket.parts});

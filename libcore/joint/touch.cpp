@@ -12,12 +12,6 @@
 namespace impinge {
 namespace {
 
-// Name of a part; null for a main surface.
-std::optional<std::string> part_or_null(const std::vector<MeshPart>& parts, std::size_t body) {
-  std::string name = body_name(parts, body);
-  return name.empty() ? std::nullopt : std::optional(std::move(name));
-}
-
 template <class Pair>
 std::string both_of(const Pair& bones) {
   return bones.ball_part.value_or("ball") + " and " + bones.socket_part.value_or("socket");
@@ -32,28 +26,37 @@ void warn(const std::string& line, SessionJoint& joint) {
 }
 
 // `faces` are the other surface's.
-SmallestOfPose told_gap(const SessionJoint& joint, const LeastGap& least, const Vec3& vertex,
-                        const NearFaces& faces, const Pose& pose) {
-  const Surface scanned = least.at.scanned;
-  const CertifiedGap ends = measured_gap(scanned, faces, to_other(scanned, pose, vertex));
-  const Vec3 place = scanned == Surface::ball ? to_socket(pose, vertex) : vertex;
-  return {.gap_mm = least.gap_mm,
-          .error_bound_mm = std::max(ends.high - least.gap_mm, least.gap_mm - ends.low),
-          .euclidean_distance_mm = {},
-          .surface = scanned,
-          .vertex = least.at.vertex,
-          .position = place + joint.joint.centre,
-          .hours = joint.hours(place)};
+SmallestOfPose told_gap(const SessionJoint& joint, const LeastGap& least, const NearFaces& faces,
+                        const Pose& pose) {
+  const auto [scanned, vertex] = least.at;
+  SmallestOfPose told = smallest_at(joint, pose, scanned, vertex, least.gap_mm);
+  const Vec3& x = joint.bone(scanned).mesh.vertices[vertex];
+  const CertifiedGap ends = measured_gap(scanned, faces, to_other(scanned, pose, x));
+  told.error_bound_mm = std::max(ends.high - least.gap_mm, least.gap_mm - ends.low);
+  return told;
 }
 
 }  // namespace
+
+SmallestOfPose smallest_at(const SessionJoint& joint, const Pose& pose, Surface of, std::size_t vertex,
+                           double gap_mm) {
+  const Vec3& x = joint.bone(of).mesh.vertices[vertex];
+  const Vec3 place = of == Surface::ball ? to_socket(pose, x) : x;
+  return {.gap_mm = gap_mm,
+          .error_bound_mm = {},
+          .euclidean_distance_mm = {},
+          .surface = of,
+          .vertex = vertex,
+          .position = place + joint.joint.centre,
+          .hours = joint.hours(place)};
+}
 
 ContactDocument contact_of(const Joint& joint, const BodyPairs::Verdict& verdict) {
   ContactDocument contact{.state = verdict.contact, .by = {}, .ball_part = {}, .socket_part = {}};
   if (verdict.contact == Contact::no) return contact;
   if (verdict.contact == Contact::yes) contact.by = verdict.rule;
-  contact.ball_part = part_or_null(joint.ball.parts, verdict.pair.ball);
-  contact.socket_part = part_or_null(joint.socket.parts, verdict.pair.socket);
+  contact.ball_part = body_name(joint.ball.parts, verdict.pair.ball);
+  contact.socket_part = body_name(joint.socket.parts, verdict.pair.socket);
   return contact;
 }
 
@@ -61,35 +64,29 @@ std::optional<NearestPartDocument> nearest_part(SessionJoint& joint, const Pose&
   const auto nearest = joint.bodies().nearest_part(pose);
   if (!nearest) return std::nullopt;
   return NearestPartDocument{nearest->distance_mm, nearest->touch,
-                             part_or_null(joint.joint.ball.parts, nearest->pair.ball),
-                             part_or_null(joint.joint.socket.parts, nearest->pair.socket)};
+                             body_name(joint.joint.ball.parts, nearest->pair.ball),
+                             body_name(joint.joint.socket.parts, nearest->pair.socket)};
 }
 
 std::optional<SmallestOfPose> smallest_gap(const SessionJoint& joint, const CulledJoint& culled,
-                                           const BallSocketPair& meshes, const Pose& pose) {
+                                           const Pose& pose) {
   const std::optional<LeastGap> least = culled.least_gap(pose);
   if (!least) return std::nullopt;
-  const Surface scanned = least->at.scanned;
-  return told_gap(joint, *least, mesh_of(meshes, scanned).vertices[least->at.vertex],
-                  culled.faces(other(scanned)), pose);
+  return told_gap(joint, *least, culled.faces(other(least->at.scanned)), pose);
 }
 
 std::optional<SmallestOfPose> smallest_gap(SessionJoint& joint, const Pose& pose) {
-  const NearFaces& ball = joint.faces(Surface::ball);
-  const NearFaces& socket = joint.faces(Surface::socket);
-  const FacesMet met{&socket, &ball};
+  const FacesMet met{&joint.faces(Surface::socket), &joint.faces(Surface::ball)};
   const auto gap = [&](Surface of, std::size_t /*vertex*/, const Vec3& x) {
     if (x.isZero(0.0)) return kNoSurface;
     const Surface facing = other(of);
     return signed_gap(of, joint.faces(facing).radius(x.normalized(), facing_layer(facing)), x.norm());
   };
-  const SceneAnswer found = answer_on_faces({ball.mesh(), socket.mesh()},
-                                            {.question = Question::first_contact, .poses = {pose}}, met, gap);
+  const SceneAnswer found = answer_on_faces({met[1]->mesh(), met[0]->mesh()},
+                                            {.question = Question::smallest_gap, .pose = pose}, met, gap);
   if (!found.smallest) return std::nullopt;
-  const auto& [gap_mm, scanned, only, vertex] = *found.smallest;
-  const bool of_ball = scanned == Surface::ball;
-  return told_gap(joint, {gap_mm, {scanned, vertex}}, (of_ball ? ball : socket).mesh().vertices[vertex],
-                  of_ball ? socket : ball, pose);
+  const auto& [gap_mm, scanned, vertex] = *found.smallest;
+  return told_gap(joint, {gap_mm, {scanned, vertex}}, joint.faces(other(scanned)), pose);
 }
 
 Pose pose_of(const SessionJoint& joint, const Motion& motion, const Vec3& translation) {

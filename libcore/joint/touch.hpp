@@ -108,9 +108,13 @@ std::optional<NearestPartDocument> nearest_part(SessionJoint& joint, const Pose&
 /// The smallest gap in one pose, measured on the faces for the vertices that can have it
 /// (joint/needed_work.hpp). None where the surfaces do not face each other.
 std::optional<SmallestOfPose> smallest_gap(SessionJoint& joint, const Pose& pose);
-/// The smallest gap in one of many poses, without looking at most vertices. `culled` must be of these meshes.
+/// The smallest gap in one of many poses, without looking at most vertices. `culled` must be of the joint's
+/// main surfaces.
 std::optional<SmallestOfPose> smallest_gap(const SessionJoint& joint, const CulledJoint& culled,
-                                           const BallSocketPair& meshes, const Pose& pose);
+                                           const Pose& pose);
+/// The answer of a vertex with this gap, without what bounds it.
+SmallestOfPose smallest_at(const SessionJoint& joint, const Pose& pose, Surface of, std::size_t vertex,
+                           double gap_mm);
 
 /// Lines for a terminal; empty where there is nothing to say.
 std::string describe(const std::optional<SmallestOfPose>& gap);

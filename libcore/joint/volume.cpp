@@ -8,10 +8,6 @@
 namespace impinge {
 namespace {
 
-std::optional<std::string> part_or_none(std::string name) {
-  return name.empty() ? std::nullopt : std::optional(std::move(name));
-}
-
 VolumeMotion motion_in(const MotionVolume& volume, const SessionJoint& joint, const CellTest& test,
                        const NamedMotion& motion) {
   const JointTurn turn = joint_turn(motion.start, motion_name(motion.growing), joint.side);
@@ -25,8 +21,8 @@ VolumeMotion motion_in(const MotionVolume& volume, const SessionJoint& joint, co
   const CellHint& hint = limit.stops->hint;
   if (hint.socket_face == CellHint::kNone) {
     if (const auto pair = test.bodies().may_meet(test.poses_near(ball_about(limit.stops->cell)), true)) {
-      found.ball_part = part_or_none(body_name(joint.joint.ball.parts, pair->ball));
-      found.socket_part = part_or_none(body_name(joint.joint.socket.parts, pair->socket));
+      found.ball_part = body_name(joint.joint.ball.parts, pair->ball);
+      found.socket_part = body_name(joint.joint.socket.parts, pair->socket);
     }
     return found;
   }

@@ -4,7 +4,7 @@
 // t, |t| <= r; or the ball has play in the socket, which shifts it by any d, |d| <= r. Theorem 13 (centre).
 //
 // In a pose whose rotation has the angle theta a common centre shifts the ball by s = 2 r sin(theta / 2) at
-// most, play by s = r. Up to the lower end no parts of the surfaces come within s of each other (for a
+// most, play by s = r. Up to the lower end no points of the surfaces come within s of each other (for a
 // threshold g of the gap, within s + g, and no vertex as near to a wall). At the upper end one vertex proves
 // the contact for every centre: it is deeper than s inside the other bone, or has crossed a sheet with more
 // than s to spare.

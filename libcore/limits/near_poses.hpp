@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All poses near one rotation: how near do parts of two bodies come in them, and what stays inside a body in
-// all of them? A shift of the ball and a gap that counts as contact are allowed for. Theorem 14 (volume).
+// All poses near one rotation: how near do the faces of two bodies come in them, and what stays inside a body
+// in all of them? A shift of the ball and a gap that counts as contact are allowed for. Theorem 14 (volume).
 //
 // Inner balls are spheres that hold nothing but the inside of a body, such as the largest ones that touch its
 // surface from within. A point of another body that stays in one of them is inside in all of the poses.
@@ -24,7 +24,7 @@ struct NearPoses {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   double turn = 0.0;      // radians, the largest turn away from `rotation`
   double shift_mm = 0.0;  // the largest shift of the ball
-  double gap_mm = 0.0;    // a part as near as this counts as in contact
+  double gap_mm = 0.0;    // a face as near as this counts as in contact
 };
 
 /// A point of each body, in the body's own frame, mm. The bodies are in contact in every rotation that brings
@@ -52,7 +52,7 @@ struct BodyTrees {
 /// Answers for two bodies: `ball` turns, `socket` rests. Each tree is in its body's frame, mm.
 class NearBodies {
  public:
-  /// Does the caller decide about the parts of these two nodes by other means? They are left out then.
+  /// Does the caller decide about the faces of these two nodes by other means? They are left out then.
   using Told = std::function<bool(std::uint32_t ball, std::uint32_t socket)>;
 
   NearBodies(const NearPoses& poses, double gap_mm);

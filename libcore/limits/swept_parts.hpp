@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which parts of two surfaces can meet, or come near each other, while one of them turns about an axis, and
-// from which angle on?
+// Which triangles of two surfaces can meet, or come near each other, while one of them turns about an axis,
+// and from which angle on?
 //
 // Each surface is a tree of spheres, made once for all axes. No turn changes the height of a sphere along the
 // axis, its distance from the axis, or its distance from the centre: most pairs never come near each other,
@@ -20,27 +20,27 @@
 
 namespace impinge {
 
-/// Triangles in a tree; a point is a triangle without extent. `doubt` of a part: it may be nearer than its
-/// coordinates say by as much, mm.
+/// Triangles in a tree; a point is a triangle without extent. `doubt` of a triangle: it may be nearer than
+/// its coordinates say by as much, mm.
 class SweptParts {
  public:
-  /// A sphere that holds one part, or two nodes that come later in the list.
+  /// A sphere that holds one triangle, or two nodes that come later in the list.
   struct Node {
     Vec3 centre;            // mm
     double radius = 0.0;    // mm, doubt included
-    std::uint32_t at = 0;   // index of the part, or of the first of the two nodes; the second comes next
-    bool leaf = true;       // does it hold one part?
-    double nearest = 0.0;   // mm, least distance of its parts from the origin, doubt included
-    double farthest = 0.0;  // mm, largest distance of its parts from the origin, doubt included
+    std::uint32_t at = 0;   // index of the triangle, or of the first of the two nodes; the second comes next
+    bool leaf = true;       // does it hold one triangle?
+    double nearest = 0.0;   // mm, least distance of its triangles from the origin, doubt included
+    double farthest = 0.0;  // mm, largest distance of its triangles from the origin, doubt included
   };
 
   SweptParts() = default;
   explicit SweptParts(std::vector<TurnFace> parts);  // in their centre frame, mm; n log n time
 
   const std::vector<TurnFace>& parts() const { return parts_; }  // in the order in which they were given
-  const std::vector<Node>& nodes() const { return nodes_; }      // the root first; none without parts
+  const std::vector<Node>& nodes() const { return nodes_; }      // the root first; none without triangles
   bool empty() const { return nodes_.empty(); }
-  /// Calls visit(index) for all parts whose spheres come within `distance` of x, mm.
+  /// Calls visit(index) for all triangles whose spheres come within `distance` of x, mm.
   template <class Visit>
   void visit_near(const Vec3& x, double distance, const Visit& visit) const {
     any_part(distance, x, [&](std::uint32_t part) {
@@ -48,18 +48,18 @@ class SweptParts {
       return false;
     });
   }
-  /// Is found(node) true for the leaf of some part, and for all nodes above it?
+  /// Is found(node) true for the leaf of some triangle, and for all nodes above it?
   template <class Found>
   bool any_node(const Found& found, std::uint32_t from = 0) const {
     if (nodes_.empty() || !found(nodes_[from])) return false;
     const Node& node = nodes_[from];
     return node.leaf || any_node(found, node.at) || any_node(found, node.at + 1);
   }
-  /// Is every part farther than `distance` from x, mm?
+  /// Is every triangle farther than `distance` from x, mm?
   bool farther_than(double distance, const Vec3& x) const;
 
  private:
-  // Calls found(part) for parts near x until it is true; returns whether it was.
+  // Calls found(triangle) for triangles near x until it is true; returns whether it was.
   template <class Found>
   bool any_part(double distance, const Vec3& x, const Found& found) const {
     std::vector<std::uint32_t> pending;
@@ -81,8 +81,8 @@ class SweptParts {
   std::vector<Node> nodes_;
 };
 
-/// Is meet(part, part) true for some pair of parts? A pair of nodes with apart(node, node) is not opened.
-/// Parts and nodes are given by their indices.
+/// Is meet(i, j) true for some pair of triangles? A pair of nodes with apart(node, node) is not opened.
+/// Triangles and nodes are given by their indices.
 template <class Apart, class Meet>
 bool any_pair(const SweptParts& one, const SweptParts& other, const Apart& apart, const Meet& meet) {
   if (one.empty() || other.empty()) return false;
@@ -116,7 +116,7 @@ class SweptSpheres {
  public:
   explicit SweptSpheres(const SweptPair& pair);
 
-  /// The least angle from `from` on, radians in [0, 2 pi], at which parts of the two nodes may be within
+  /// The least angle from `from` on, radians in [0, 2 pi], at which triangles of the two nodes may be within
   /// `within` mm of each other; infinite if they never are.
   double earliest(std::uint32_t turning, std::uint32_t resting, double within, double from);
   /// All such angles of a whole turn: at most two spans, in rising order.
@@ -137,9 +137,9 @@ class SweptSpheres {
   double rounding_;
 };
 
-/// Calls meet(i, j) for the pairs of parts that may come within within(to) mm of each other at an angle from
-/// `from` to `to`, radians. Pairs are visited in the order of their earliest angles. meet() returns the new
-/// `to`, such as the first contact found so far.
+/// Calls meet(i, j) for the pairs of triangles that may come within within(to) mm of each other at an angle
+/// from `from` to `to`, radians. Pairs are visited in the order of their earliest angles. meet() returns the
+/// new `to`, such as the first contact found so far.
 template <class Within, class Meet>
 void visit_meetings(const SweptPair& pair, double from, double to, const Within& within, const Meet& meet) {
   if (pair.turning.empty() || pair.resting.empty()) return;
@@ -177,10 +177,11 @@ bool farther_than(const TurnFace& s, const TurnFace& t, double distance);
 /// The distance, mm, that counts as near; its largest value in a span of angles.
 using WithinSpan = std::function<double(const AngleSpan&)>;
 
-/// The first angle, radians, up to `largest` in [0, 2 pi], at which turning parts may be within that distance
-/// of those at rest; `largest` if there is none. Before it no pair is as near. At it some pair is, but
-/// for the way of 1e-5 rad; or for more, where parts stay nearly as near for long. No faces may pierce each
-/// other at the start: distances are those of corners and edges, and such faces may be missed.
+/// The first angle, radians, up to `largest` in [0, 2 pi], at which turning triangles may be within that
+/// distance of those at rest; `largest` if there is none. Before it no pair is as near. At it some pair is,
+/// but for what a turn by 1e-5 rad moves it; or for more, where triangles stay nearly as near for long. No
+/// faces may pierce each other at the start: distances are those of corners and edges, and such faces may be
+/// missed.
 double first_within(const SweptPair& pair, const WithinSpan& within, double largest);
 
 }  // namespace impinge

@@ -2,8 +2,9 @@
 // The first contact in a turn about an axis through the centre, in closed form: no angle is stepped over. The
 // ball turns about the axis, the socket rests. They must not touch at the start.
 //
-// Nothing touches before the angle that is returned. Parts that come within about 2e-12 of the largest radius
-// count as touching there, so that what is found may be a near miss; turn_limit.hpp decides that exactly.
+// Nothing touches before the angle that is returned. Surfaces that come within about 2e-12 of the largest
+// radius count as touching there, so that what is found may be a near miss; turn_limit.hpp decides that
+// exactly.
 //
 // Instead of contact, a threshold t > 0 of the gap may be asked for: the first angle at which a vertex of
 // either scan has a gap of t or less, that is S - |x| <= t for a vertex x of the ball or |y| - B <= t for a
@@ -24,7 +25,7 @@
 
 namespace impinge {
 
-/// Which parts touch: a corner of one body and a face of the other, two edges, or, for a threshold, a vertex
+/// What touches: a corner of one body and a face of the other, two edges, or, for a threshold, a vertex
 /// and a rim as the centre sees them.
 enum class ContactKind { ball_vertex, socket_vertex, edges, rims };
 template <>

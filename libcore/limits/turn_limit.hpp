@@ -12,7 +12,7 @@
 /// edge-on at rest (mesh/surface_vertices.hpp), as the thesis' scans are: between vertices a gap may be
 /// smaller by about the sagitta of a face. The limit of a threshold is no larger than the limit of contact.
 ///
-/// The bracket is about 1e-7 degrees wide. It is wider where parts graze: they come so near that doubles
+/// The bracket is about 1e-7 degrees wide. It is wider where bones graze: they come so near that doubles
 /// cannot tell whether they touch, and the exact test finds no contact. Then low stays at the first graze,
 /// and the search goes on behind it with the same closed forms and with poses at most 0.05 degrees apart. A
 /// contact that it finds there is certain, but an earlier one may lie between two poses. If it finds none the

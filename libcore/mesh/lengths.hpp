@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lengths that the library accepts; others are refused.
 //
-// No code compares a length with a fixed number, so that a surface 2^k times as large gives the same table
-// times 2^k, bit for bit, as long as no product leaves the range of a double. The longest products are
+// No code of tables or contact compares a length with a fixed number, so that a surface 2^k times as large
+// gives the same table times 2^k, bit for bit, as long as no product leaves the range of a double. (What is
+// asked in mm does: certificates, the distance of the centre, cuts.) The longest products are
 // squares of a face's normal times a corner, six lengths: 2^600 for lengths of 2^100 mm, which leaves a
 // factor of 2^424 to the upper end of the range (2^422 to the lower end for 2^-600). That is enough for
 // components or edges of 2^-60 of the surface, which enter such a square at most four times.

@@ -51,8 +51,9 @@ static std::size_t rests(std::span<const MeshPart> parts) {
   return k;
 }
 
-std::string body_name(std::span<const MeshPart> parts, std::size_t body) {
-  return body == 0 ? "" : parts[rests(parts) + body - 1].name;
+std::optional<std::string> body_name(std::span<const MeshPart> parts, std::size_t body) {
+  if (body == 0) return std::nullopt;
+  return parts[rests(parts) + body - 1].name;
 }
 
 std::vector<TriangleMesh> part_surfaces(const TriangleMesh& mesh, std::span<const MeshPart> parts) {

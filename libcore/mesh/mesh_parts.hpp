@@ -35,9 +35,9 @@ TriangleMesh whole_main(const TriangleMesh& mesh, std::span<const MeshPart> part
 /// Part k of the mesh.
 TriangleMesh part_surface(const TriangleMesh& mesh, std::span<const MeshPart> parts, std::size_t k);
 
-/// The name of a body of a mesh: empty for body 0, the bone of the main surface. Other bodies are the parts
+/// The name of a body of a mesh: none for body 0, the bone of the main surface. Other bodies are the parts
 /// that do not continue it.
-std::string body_name(std::span<const MeshPart> parts, std::size_t body);
+std::optional<std::string> body_name(std::span<const MeshPart> parts, std::size_t body);
 
 /// The parts of both bones, each a surface of its own, mm.
 struct BoneParts {

@@ -23,13 +23,16 @@ using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// Any array; copied and converted if it is not one of unsigned 32-bit integers in C order.
 using Indices = py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>;
 
-/// A read-only view of numbers that `owner` keeps alive; shape (rows, columns), or (rows,) for one column.
-template <class Number>
-py::array view_of(const Number* first, std::size_t rows, std::size_t columns, const py::handle& owner) {
-  const auto shape = columns == 1 ? std::vector<std::size_t>{rows} : std::vector<std::size_t>{rows, columns};
-  py::array view(py::dtype::of<Number>(), shape, first, owner);
-  py::detail::array_proxy(view.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
-  return view;
+/// Rows of numbers as an array of shape (rows, columns), or (rows,) for one column: a copy, or a read-only
+/// view if `owner` keeps them alive.
+template <class Number, class Row>
+py::array array_of(const std::vector<Row>& rows, const py::handle& owner = {}) {
+  constexpr std::size_t kColumns = sizeof(Row) / sizeof(Number);
+  std::vector<std::size_t> shape{rows.size()};
+  if (kColumns > 1) shape.push_back(kColumns);
+  py::array array(py::dtype::of<Number>(), shape, reinterpret_cast<const Number*>(rows.data()), owner);
+  if (owner) py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return array;
 }
 
 /// The points in an array of shape (n, 3) or (3,), one per row.

@@ -7,7 +7,6 @@
 
 #include "joint/joint_document.hpp"
 #include "python/arrays.hpp"
-#include "python/bindings.hpp"
 #include "python/joint_class.hpp"
 #include "python/question_method.hpp"
 
@@ -26,23 +25,20 @@ void bind_surface(py::module_& module) {
       .def_property_readonly(
           "vertices",
           [](const py::object& self) {
-            const auto& at = self.cast<const SurfaceView&>().mesh().vertices;
-            return view_of(at.front().data(), at.size(), 3, self);
+            return array_of<double>(self.cast<const SurfaceView&>().mesh().vertices, self);
           },
           "Shape (n, 3), mm, about Joint.centre.")
       .def_property_readonly(
           "faces",
           [](const py::object& self) {
-            const auto& faces = self.cast<const SurfaceView&>().mesh().faces;
-            return view_of(faces.front().data(), faces.size(), 3, self);
+            return array_of<std::uint32_t>(self.cast<const SurfaceView&>().mesh().faces, self);
           },
           "Shape (m, 3), places of the corners, as the mesh has them.")
       .def_property_readonly(
           "areas",
           [](const py::object& self) {
             const auto& view = self.cast<const SurfaceView&>();
-            const auto& areas = view.joint->joint().part(view.of).area;
-            return view_of(areas.data(), areas.size(), 1, self);
+            return array_of<double>(view.joint->joint().part(view.of).area, self);
           },
           "Shape (n,), mm^2 of the surface that belong to each vertex.")
       .def_property_readonly(
@@ -64,19 +60,17 @@ std::string described(const PoseJoint& joint) {
 }
 
 void bind_facts(JointClass& joint) {
+  const auto surface = [&joint](const char* name, Surface of) {
+    joint.def_property_readonly(
+        name,
+        [of](const SharedJoint& self) {
+          return SurfaceView{self, of};
+        },
+        "Its Surface.");
+  };
+  surface("ball", Surface::ball);
+  surface("socket", Surface::socket);
   joint
-      .def_property_readonly(
-          "ball",
-          [](const SharedJoint& self) {
-            return SurfaceView{self, Surface::ball};
-          },
-          "Its Surface.")
-      .def_property_readonly(
-          "socket",
-          [](const SharedJoint& self) {
-            return SurfaceView{self, Surface::socket};
-          },
-          "Its Surface.")
       .def_property_readonly(
           "side", [](const PoseJoint& self) { return object_of(json_of(self.joint().side)); },
           "Of the body: left, right, or None.")
@@ -110,15 +104,10 @@ void bind_facts(JointClass& joint) {
           },
           "Radius and root mean square residual of the sphere that fits the ball, mm; None "
           "where the centre was given.")
-      .def(
-          "cartilage_of_scan",
-          [](PoseJoint& self) {
-            const py::gil_scoped_release released;
-            return self.cartilage_of_scan();
-          },
-          "cartilage_of_scan(self)\n--\n\n"
-          "The smallest gap as scanned, mm, rounded down to 0.01: a cartilage_mm that blocks nothing there, "
-          "as `--cartilage scan` takes it.")
+      .def("cartilage_of_scan", &PoseJoint::cartilage_of_scan, py::call_guard<py::gil_scoped_release>(),
+           "cartilage_of_scan(self)\n--\n\n"
+           "The smallest gap as scanned, mm, rounded down to 0.01: a cartilage_mm that blocks nothing there, "
+           "as `--cartilage scan` takes it.")
       .def(
           "ask",
           [](const py::object& self, const std::string& question, const py::kwargs& request) {

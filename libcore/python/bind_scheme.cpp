@@ -7,7 +7,7 @@
 #include <pybind11/stl.h>
 
 #include "python/arrays.hpp"
-#include "python/bindings.hpp"
+#include "python/joint_class.hpp"
 #include "sphere/any_scheme.hpp"
 #include "sphere/scheme_choice.hpp"
 
@@ -55,7 +55,7 @@ py::tuple stencils_of(const AnyScheme& scheme, const Doubles& x) {
 }
 
 // A text of the scheme's class: its label, or where it was published.
-std::string text_of(const AnyScheme& scheme, bool label) {
+std::string scheme_text(const AnyScheme& scheme, bool label) {
   std::string text;
   with_scheme(scheme.name(), [&]<class S>() { text = label ? S::label : S::citation; });
   return text;
@@ -71,9 +71,9 @@ void bind_scheme(py::module_& module) {
       .def(py::init<std::string_view, double>(), py::arg("name"), py::arg("precision_deg") = 1.0)
       .def_property_readonly("name", &AnyScheme::name, "One of schemes().")
       .def_property_readonly(
-          "label", [](const AnyScheme& s) { return text_of(s, true); }, "For figures.")
+          "label", [](const AnyScheme& s) { return scheme_text(s, true); }, "For figures.")
       .def_property_readonly(
-          "citation", [](const AnyScheme& s) { return text_of(s, false); }, "Its source.")
+          "citation", [](const AnyScheme& s) { return scheme_text(s, false); }, "Its source.")
       .def_property_readonly("precision_deg", &AnyScheme::precision_deg,
                              "Spacing of entries at the equator, degrees.")
       .def_property_readonly("size", &AnyScheme::size, "Number of entries.")

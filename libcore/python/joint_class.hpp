@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The class Joint of the module, in parts.
+// The parts of the module `impinge`, those of the class Joint above all. Docstrings are short;
+// impinge/__init__.pyi says shapes and units.
 #pragma once
 
 #include <memory>
@@ -16,6 +17,8 @@ using SharedJoint = std::shared_ptr<PoseJoint>;
 /// The binding of the class.
 using JointClass = pybind11::class_<PoseJoint, SharedJoint>;
 
+void bind_joint(pybind11::module_& module);
+void bind_scheme(pybind11::module_& module);
 void bind_making(JointClass& joint);        // read(), from_arrays(), from_hip()
 void bind_pose_answers(JointClass& joint);  // gaps(), touch(), smallest_gap(), matrices()
 void bind_questions(JointClass& joint);

@@ -2,7 +2,6 @@
 // Makes a joint from files, arrays or parameters.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <concepts>
 #include <filesystem>
 #include <functional>
@@ -63,10 +62,6 @@ struct Placed {
   std::function<CartilageMap(const Vec3& centre)> cartilage{};
 };
 
-JointNames names_of(const JointInput& input) {
-  return {input.ball.name, input.socket.name, input.ball.part_names, input.socket.part_names};
-}
-
 SharedJoint joint_of(JointInput input, const Placed& placed) {
   input.axes = placed.axes;
   if (placed.side) input.side = parse_side(*placed.side);
@@ -92,20 +87,7 @@ SharedJoint joint_of(JointInput input, const Placed& placed) {
   input_to_joint(input.axes);
   return std::make_shared<PoseJoint>(
       placed.overlap_mm ? made(*placed.overlap_mm) : without_rest_contact(made, "ignore_rest_contact"),
-      names_of(input));
-}
-
-// Issues the joint's warnings, since a user's meshes may be wrong.
-SharedJoint with_warnings(SharedJoint joint) {
-  for (const std::string& line : joint->joint().joint.warnings) warn(line);
-  return joint;
-}
-
-py::tuple arrays_of(const TriangleMesh& mesh) {
-  const auto rows = [](const auto& list) { return static_cast<py::ssize_t>(list.size()); };
-  return py::make_tuple(
-      py::array_t<double>({rows(mesh.vertices), py::ssize_t{3}}, mesh.vertices.front().data()),
-      py::array_t<std::uint32_t>({rows(mesh.faces), py::ssize_t{3}}, mesh.faces.front().data()));
+      JointNames{input.ball.name, input.socket.name, input.ball.part_names, input.socket.part_names});
 }
 
 // Landmarks as points. A file is read here, since the joint may be made again on another machine.
@@ -129,7 +111,9 @@ py::tuple state_of(const NamedMesh& bone) {
   py::list parts;
   for (const MeshPart& part : bone.parts)
     parts.append(py::make_tuple(part.name, part.first_vertex, part.first_face, part.of_main));
-  return py::make_tuple(bone.name, arrays_of(bone.mesh), parts, bone.part_names);
+  const py::tuple mesh =
+      py::make_tuple(array_of<double>(bone.mesh.vertices), array_of<std::uint32_t>(bone.mesh.faces));
+  return py::make_tuple(bone.name, mesh, parts, bone.part_names);
 }
 
 // Makes a joint that remembers what it was made of.
@@ -138,10 +122,7 @@ SharedJoint joint_of_meshes(const JointInput& input, const Placed& placed) {
   const Joint& joint = made->joint().joint;
   py::object cartilage = py::none();
   if (const auto& map = joint.cartilage)
-    cartilage =
-        py::make_tuple(py::array_t<double>({static_cast<py::ssize_t>(map->directions.size()), py::ssize_t{3}},
-                                           map->directions.front().data()),
-                       map->thickness);
+    cartilage = py::make_tuple(array_of<double>(map->directions), map->thickness);
   made->made_of =
       py::make_tuple(state_of(input.ball), state_of(input.socket), placed.side, placed.axes, placed.centre,
                      as_dict(placed.landmarks, placed.axes), joint.overlap_mm, placed.said, cartilage);
@@ -261,15 +242,16 @@ SharedJoint joint_of_given(const Given& ball, const Given& socket, const std::op
   if constexpr (std::same_as<Given, File>) placed.axes = agreed_axes(ball, socket, axes, "axes=").code;
   placed.cartilage = cartilage_of(cartilage_map);
   placed.overlap_mm = ignore_rest_contact ? std::nullopt : std::optional(overlap_mm);
-  return with_warnings(joint_of_meshes(input, placed));
+  SharedJoint joint = joint_of_meshes(input, placed);
+  for (const std::string& line : joint->joint().joint.warnings) warn(line);  // a user's meshes may be wrong
+  return joint;
 }
 
 // A parameter as text, as on the command line.
 std::string setting_of(const std::string& name, const py::handle& value) {
-  if (py::isinstance<py::str>(value)) return name + "=" + value.cast<std::string>();
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value.cast<double>()).ptr;
-  return name + "=" + std::string(text, end);
+  const py::str text =
+      py::isinstance<py::str>(value) ? py::str(value) : py::str(py::float_(value.cast<double>()));
+  return name + "=" + text.cast<std::string>();
 }
 
 SharedJoint joint_of_hip(const std::string& preset, std::size_t faces, const py::kwargs& changes) {

@@ -47,14 +47,6 @@ struct GapRows {
   std::size_t width;
 };
 
-template <class Table>
-void scan_all(const PackedJoint<Table>& packed, const std::vector<Pose>& poses, const GapRows& ball,
-              const GapRows& socket) {
-  without_lock(poses.size(), [&](std::size_t k) {
-    scan_joint(packed, poses[k], ball.main(k, packed.ball.size()), socket.main(k, packed.socket.size()));
-  });
-}
-
 py::tuple gaps(PoseJoint& joint, const py::object& given, const std::optional<double>& precision_deg,
                const std::optional<std::pair<py::object, py::object>>& out) {
   const std::vector<Pose> poses = poses_of(joint.joint(), given);
@@ -62,19 +54,16 @@ py::tuple gaps(PoseJoint& joint, const py::object& given, const std::optional<do
   Floats socket = gap_array(joint, Surface::socket, poses.size(), out ? out->second : py::none());
   const GapRows ball_gaps(ball);
   const GapRows socket_gaps(socket);
-  if (precision_deg) {
-    const auto make = [&]() -> const PackedJoint<PoseTable>& {
-      const py::gil_scoped_release released;
-      return joint.tables(*precision_deg);
-    };
-    scan_all(make(), poses, ball_gaps, socket_gaps);
-  } else {
-    const auto make = [&]() -> const PackedJoint<ExactCells>& {
-      const py::gil_scoped_release released;
-      return joint.cells();
-    };
-    scan_all(make(), poses, ball_gaps, socket_gaps);
-  }
+  const auto scan_all = [&](const auto& packed) {
+    without_lock(poses.size(), [&](std::size_t k) {
+      scan_joint(packed, poses[k], ball_gaps.main(k, packed.ball.size()),
+                 socket_gaps.main(k, packed.socket.size()));
+    });
+  };
+  if (precision_deg)
+    scan_all(joint.tables(*precision_deg));
+  else
+    scan_all(joint.cells());
   return py::make_tuple(ball, socket);
 }
 

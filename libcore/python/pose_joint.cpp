@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/pose_joint.hpp"
 
+#include <pybind11/gil.h>
+
 #include "table/exact_raster.hpp"
 
 namespace impinge::python {
@@ -15,6 +17,7 @@ PoseTable filled(const TriangleMesh& mesh, Surface of, double precision_deg) {
 }  // namespace
 
 const PackedJoint<ExactCells>& PoseJoint::cells() {
+  const pybind11::gil_scoped_release released;
   const std::scoped_lock lock(busy_);
   if (!cells_) {
     cells_of_ = {joint().main(Surface::ball), joint().main(Surface::socket)};
@@ -27,6 +30,7 @@ const PackedJoint<ExactCells>& PoseJoint::cells() {
 }
 
 const PackedJoint<PoseTable>& PoseJoint::tables(double precision_deg) {
+  const pybind11::gil_scoped_release released;
   const std::scoped_lock lock(busy_);
   auto& made = tables_[precision_deg];
   if (!made) {

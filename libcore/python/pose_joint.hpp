@@ -35,11 +35,12 @@ class PoseJoint {
   /// What pickle keeps; the joint can be made again from it.
   pybind11::tuple made_of;
 
-  /// The exact cells of the faces, and tables of `cube_gnomonic` in 16 bits at a precision in degrees.
+  /// The exact cells of the faces, and tables of `cube_gnomonic` in 16 bits at a precision in degrees. They
+  /// are made without Python's lock, which must be held.
   const PackedJoint<ExactCells>& cells();
   const PackedJoint<PoseTable>& tables(double precision_deg);
 
-  /// These serve one call at a time; a second thread waits.
+  /// These serve one call at a time; a second thread waits. They are called without Python's lock.
   PoseRow row(PosesOutput output, const Pose& pose);
   double cartilage_of_scan() {
     const std::scoped_lock lock(busy_);

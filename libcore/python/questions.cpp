@@ -26,11 +26,9 @@ namespace {
 
 // Adds the mesh of resected_ball.ply or resected_socket.ply.
 void add_mesh(PoseJoint& /*joint*/, const ResectAnswer& cut, py::dict& found) {
-  const auto rows = [](const auto& list) { return static_cast<py::ssize_t>(list.size()); };
-  const auto& [vertices, faces] = std::tie(cut.mesh.vertices, cut.mesh.faces);
-  found["vertices"] = py::array_t<double>({rows(vertices), py::ssize_t{3}}, vertices.front().data());
-  found["faces"] = py::array_t<std::uint32_t>({rows(faces), py::ssize_t{3}}, faces.front().data());
-  found["depth"] = py::array_t<double>(rows(cut.depth), cut.depth.data());
+  found["vertices"] = array_of<double>(cut.mesh.vertices);
+  found["faces"] = array_of<std::uint32_t>(cut.mesh.faces);
+  found["depth"] = array_of<double>(cut.depth);
 }
 
 // Adds the numbers of gaps.csv and distances.csv.
@@ -39,20 +37,13 @@ void add_vertices(PoseJoint& /*joint*/, const GapsAnswer& answer, py::dict& foun
   for (const Surface surface : kSurfaces) {
     const SurfaceAnswer& of = answer.of(surface);
     const py::str name(std::string(impinge::name(surface)));
-    const auto add = [&](const char* key, const std::vector<double>& values) {
-      if (!values.empty())
-        found[key][name] = py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+    const auto add = [&](const char* key, const auto& values) {
+      if (!values.empty()) found[key][name] = array_of<double>(values);
     };
     add("gap", of.gap);
     add("bound", of.bound);
-    if (of.distance.empty()) continue;
-    py::array_t<double> ends({static_cast<py::ssize_t>(of.distance.size()), py::ssize_t{2}});
-    double* end = ends.mutable_data();
-    for (const DistanceBracket& distance : of.distance) {
-      *end++ = distance.lower_mm;
-      *end++ = distance.upper_mm;
-    }
-    found["distance"][name] = ends;
+    static_assert(sizeof(DistanceBracket) == 2 * sizeof(double));
+    add("distance", of.distance);
   }
 }
 

@@ -41,7 +41,8 @@ std::string squares_of(const MapPicture& picture, const OrientAnswer& found, Cel
 
 std::string nearest_words(const OrientAnswer& found) {
   if (!found.nearest_free) return "no square of the map is free";
-  const auto& [angles, change, turn] = found.nearest_free->to;
+  const NearestOrientation& to = *found.nearest_free;
+  const auto& [angles, change, turn] = to;
   return formatted("the dot is the nearest free one: %+.1f, %+.1f; a turn by %.1f", change.inclination_deg,
                    change.anteversion_deg, turn);
 }
@@ -63,7 +64,7 @@ std::string orient_picture(const OrientAnswer& found) {
     picture.add(squares_of(picture, found, static_cast<CellState>(k), states[k].fill));
   picture.name_angles();
   if (found.nearest_free)
-    picture.mark(found.nearest_free->to.angles.inclination_deg, found.nearest_free->to.angles.anteversion_deg,
+    picture.mark(found.nearest_free->angles.inclination_deg, found.nearest_free->angles.anteversion_deg,
                  false);
   picture.mark(now.inclination_deg, now.anteversion_deg, true);
   picture.words(0, "inclination, degrees; the ring is the socket as scanned");

@@ -47,50 +47,50 @@ Json mesh_of(const TriangleMesh& mesh) {
   return {{"positions", places_text(mesh.vertices)}, {"faces", array_text(corners)}};
 }
 
-// Column by column, as in WebGL.
-Json matrix_of(const Eigen::Matrix3d& rotation, const Vec3& translation) {
-  Json numbers = Json::array();
-  for (Eigen::Index column = 0; column < 4; ++column) {
-    for (Eigen::Index row = 0; row < 3; ++row)
-      numbers.push_back(column < 3 ? rotation(row, column) : translation[row]);
-    numbers.push_back(column < 3 ? 0.0 : 1.0);
-  }
-  return numbers;
-}
-
 std::string gaps_text(const SurfaceAnswer& found) {
   return array_text(std::vector<float>(found.against_cartilage.begin(), found.against_cartilage.end()));
 }
 
 Json joint_of(const SessionJoint& joint) {
-  constexpr std::size_t kRimSectors = 96;
-  std::vector<Vec3> rim;
-  std::vector<float> hours;
-  if (joint.dial) {
-    for (const RimPoint& at :
-         rim_line(in_joint_frame(joint, main_surface(joint.joint.socket.mesh, joint.joint.socket.parts)),
-                  *joint.dial, kRimSectors)) {
-      rim.emplace_back(joint.axes.transpose() * at.place);
-      hours.push_back(static_cast<float>(at.hours));
-    }
-  }
+  const DrawnRim rim = drawn_rim(joint);
   const auto& fit = joint.joint.fit;
   return {{"ball", mesh_of(joint.joint.ball.mesh)},
           {"socket", mesh_of(joint.joint.socket.mesh)},
           {"side", json_of(joint.side)},
           {"fit", fit ? Json{{"radius_mm", fit->radius}} : Json()},
-          {"to_joint_frame", matrix_of(joint.axes, Vec3::Zero())},
-          {"rim_clock", places_text(rim)},
-          {"rim_hours", array_text(hours)}};
+          {"to_joint_frame", json_of(drawn_matrix(joint.axes, Vec3::Zero()))},
+          {"rim_clock", places_text(rim.places)},
+          {"rim_hours", array_text(rim.hours)}};
 }
 
 }  // namespace
+
+DrawnRim drawn_rim(const SessionJoint& joint) {
+  constexpr std::size_t kRimSectors = 96;
+  DrawnRim rim;
+  if (!joint.dial) return rim;
+  for (const RimPoint& at :
+       rim_line(in_joint_frame(joint, joint.joint.socket.main()), *joint.dial, kRimSectors)) {
+    rim.places.emplace_back(joint.axes.transpose() * at.place);
+    rim.hours.push_back(static_cast<float>(at.hours));
+  }
+  return rim;
+}
+
+std::array<double, 16> drawn_matrix(const Eigen::Matrix3d& rotation, const Vec3& translation) {
+  std::array<double, 16> numbers{};
+  Eigen::Map<Eigen::Matrix4d> matrix(numbers.data());
+  matrix.setIdentity();
+  matrix.topLeftCorner<3, 3>() = rotation;
+  matrix.topRightCorner<3, 1>() = translation;
+  return numbers;
+}
 
 Json report_scene(const SessionJoint& joint, const GapsAnswer& found) {
   const auto& smallest = found.smallest_gap;
   return {{"joint", joint_of(joint)},
           {"pose",
-           {{"matrix", matrix_of(found.pose.rotation, found.pose.translation)},
+           {{"matrix", json_of(drawn_matrix(found.pose.rotation, found.pose.translation))},
             {"ball_gap", gaps_text(found.ball)},
             {"socket_gap", gaps_text(found.socket)},
             {"smallest_gap", json_of(smallest)},

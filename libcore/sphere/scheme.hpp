@@ -140,8 +140,9 @@ std::optional<S> scheme_of_precision(double degrees) {
 ///                     the point of the solid in the direction of x
 ///   plane_stencil(x)  taps on the face of this point, with weights that are not negative and sum to 1 and
 ///                     make it the mean of the taps' points: x / depth(x) = sum w_i u_i / depth(u_i)
-///   kFlatCells        whether all cells are bounded by great circles. Then stencil(x) has the same taps and
-///                     cell; else plane_stencil(x) may take a neighbour if x is close to the border
+///   kFlatCells        needed, true or false: whether all cells are convex and bounded by great circles. Then
+///                     stencil(x) has the same taps and cell; else plane_stencil(x) may take a neighbour if x
+///                     is close to the border
 template <class S>
 concept PlaneExactScheme = SamplingScheme<S> && requires(const S scheme, const Vec3& x) {
   { scheme.depth(x) } -> std::same_as<double>;

@@ -39,7 +39,7 @@ class Gaps : public ::testing::Test {
   Session session() const { return load_joint(files_, {}); }
 
   test::TemporaryFolder folder_;
-  JointOptions files_{.ball = folder_.path() / "ball.ply", .socket = folder_.path() / "socket.ply"};
+  JointOptions files_{{}, folder_.path() / "ball.ply", folder_.path() / "socket.ply"};
   GapsRequest asked_;
 };
 

@@ -2,7 +2,6 @@
 // The limit that is told is that of the library, in the frame of the user's files.
 #include "joint/limits.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include <gtest/gtest.h>

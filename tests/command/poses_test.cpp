@@ -68,8 +68,7 @@ class Poses : public testing::Test {
 
   test::TemporaryFolder folder_;
   const std::filesystem::path out_ = folder_.path() / "out";
-  JointOptions files_{
-      .ball = folder_.path() / "ball.ply", .socket = folder_.path() / "socket.ply", .centre = kCentre};
+  JointOptions files_{{.centre = kCentre}, folder_.path() / "ball.ply", folder_.path() / "socket.ply"};
   BallSocketPair joint_;  // as it was read, centre frame
   Json found_;            // the answer
   std::string words_;

@@ -4,7 +4,6 @@
 // nothing to compare.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <random>

@@ -44,9 +44,8 @@ class Report : public ::testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  JointOptions files_{.ball = folder_.path() / "ball.ply",
-                      .socket = folder_.path() / "socket.ply",
-                      .centre = Vec3(0.0, 0.0, 0.0)};
+  JointOptions files_{
+      {.centre = Vec3(0.0, 0.0, 0.0)}, folder_.path() / "ball.ply", folder_.path() / "socket.ply"};
 };
 
 TEST_F(Report, ClockHasTheGapOfConcentricSpheresToTheRim) {

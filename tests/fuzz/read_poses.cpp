@@ -6,7 +6,7 @@
 
 #include "files/file_error.hpp"
 #include "fuzz/require.hpp"
-#include "joint/pose_file.hpp"
+#include "joint/pose_list.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace impinge;

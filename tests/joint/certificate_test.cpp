@@ -2,7 +2,6 @@
 // A certificate does not depend on how good the gaps are that it starts from.
 #include "joint/certificate.hpp"
 
-#include <cmath>
 #include <limits>
 #include <vector>
 

@@ -36,8 +36,8 @@ TEST(Orient, TurnsTheSocketThatMeasureHasIntoAFreeOne) {
   EXPECT_EQ(found.as_scanned.angles, measured(session, "version").state);
   ASSERT_NE(found.as_scanned.state, CellState::free);
   const NearestFree& nearest = found.nearest_free.value();
-  EXPECT_GT(nearest.to.turn_deg, 1.0);
-  EXPECT_LE(nearest.at_least_deg, nearest.to.turn_deg);
+  EXPECT_GT(nearest.turn_deg, 1.0);
+  EXPECT_LE(nearest.at_least_deg, nearest.turn_deg);
   // The mesh of the socket is free when it is turned so, and as it is it is not.
   const auto flexes = [&](double turn_deg) {
     const Joint& joint = session.joint->joint;
@@ -48,7 +48,7 @@ TEST(Orient, TurnsTheSocketThatMeasureHasIntoAFreeOne) {
          test::turned(in_joint_frame(*session.joint, joint.socket.mesh), axes * turn * axes.transpose())});
     return limits.first_contact(joint_turn({}, motion_name("flexion"), session.joint->side), 160.0).state;
   };
-  EXPECT_EQ(flexes(nearest.to.turn_deg), LimitState::free);
+  EXPECT_EQ(flexes(nearest.turn_deg), LimitState::free);
   EXPECT_EQ(flexes(0.0), LimitState::limited);
 }
 
@@ -70,7 +70,7 @@ TEST(Orient, RefusesARimThatMeasureRefuses) {
   given.anteversion_deg = 15.0;
   const OrientAnswer found = answer(session, given);
   EXPECT_EQ(found.as_scanned.angles, "given");
-  EXPECT_EQ(found.nearest_free.value().to.turn_deg, 0.0);
+  EXPECT_EQ(found.nearest_free.value().turn_deg, 0.0);
   EXPECT_FALSE(found.nearest_free->axis);
 }
 

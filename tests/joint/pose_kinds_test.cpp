@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "joint/pose_file.hpp"
+#include "joint/pose_list.hpp"
 
 namespace impinge {
 namespace {

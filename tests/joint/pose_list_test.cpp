@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Poses as files and grids have them. Angles of OpenSim's gait2392 are worked out by hand, in its own frame.
+#include "joint/pose_list.hpp"
+
 #include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "files/file_error.hpp"
-#include "joint/pose_file.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/thrown.hpp"
 

@@ -17,7 +17,7 @@ function fileOf(name) {
   return { name: path.basename(name), size: bytes.length, arrayBuffer: async () => content };
 }
 
-async function main({ ball, socket, side, pose, tables = [], limits, questions: listed = [], ...questions }) {
+async function main({ ball, socket, side, pose, tables = [], limits, questions = [] }) {
   const { limitsCsv, ownRequest, readMesh } = await pageModules('files_panel', 'limits_panel', 'mesh_files');
   const engine = await require(process.env.JOINT3D_ENGINE)();
   const ask = (kind, request = {}) => {
@@ -27,14 +27,13 @@ async function main({ ball, socket, side, pose, tables = [], limits, questions: 
   };
   const [head, cup] = [await readMesh(fileOf(ball)), await readMesh(fileOf(socket))];
   ask('joint', ownRequest({ ball: head, socket: cup, side, axes: '', unit: 'mm', centre: null }));
-  const answers = Object.fromEntries(Object.entries(questions).map(([kind, request]) => [kind, ask(kind, request)]));
-  answers.questions = listed.map(([kind, request]) => ask(kind, request));
+  const answers = { questions: questions.map(([kind, request]) => ask(kind, request)) };
   answers.tables = tables.map((settings) => {
     ask('tables', settings);
     const csv = Buffer.from(ask('export', { format: 'csv', surface: 'both', pose }).bytes).toString();
     return { csv, pose: ask('pose', pose), verdicts: ask('verdicts', pose), bound: ask('bound') };
   });
-  if (limits) answers.limits = limitsCsv('', ask('presets').motions.map((motion) => ({ motion, limits: ask('limits', { ...limits, motions: [motion.name] }).limits })));
+  if (limits) answers.limits = limitsCsv('', ask('presets').motions.map(({ name }) => ask('limits', { ...limits, motions: [name] })));
   const plain = (_, value) => (ArrayBuffer.isView(value) ? Array.from(value) : value);
   process.stdout.write(JSON.stringify(answers, plain));
 }

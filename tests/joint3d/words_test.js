@@ -10,11 +10,11 @@ const { pageModules } = require('./page_modules.js');
 let words;
 
 before(async () => {
-  words = await pageModules('elements', 'files_panel', 'joint_words', 'limits_panel', 'measures_panel', 'mesh_files', 'messages', 'pose_words', 'proof', 'session_file', 'slow_worker', 'state', 'sweep_panel');
+  words = await pageModules('elements', 'files_panel', 'joint_words', 'limits_panel', 'measures_panel', 'mesh_files', 'messages', 'names', 'pose_words', 'proof', 'session_file', 'slow_worker', 'state', 'sweep_panel');
 });
 
 const LIMIT = {
-  centre: 'ball', threshold_mm: 0, state: 'limited', low_deg: 53.56789, high_deg: 53.56791, clock: '1:20',
+  motion: 'fadir', centre: 'ball', threshold_mm: 0, state: 'limited', low_deg: 53.56789, high_deg: 53.56791, clock: '1:20',
   centre_low_deg: 40.06, centre_high_deg: 60.04, play_low_deg: 39.06, play_high_deg: null,
   half_mm_gap_deg: 50.06, hangs_on_less_than_half_mm: false, leaves_ball_mesh_deg: null, meets: 'rim and neck', what: 'rim and neck', unknown_by: null,
 };
@@ -60,7 +60,8 @@ test('proven gaps and bounds are rounded outward', () => {
   const shown = {};
   globalThis.document = { getElementById: (id) => (shown[id] ??= { textContent: '' }) };
   const proof = new words.Proof(() => {}, assert.fail);
-  proof.show({ clear: 5, impinged: 0, undecided: 0, unbounded: 0, measured: 1, largest_mm: 1.2301, median_mm: 0.0123401, low_mm: -0.0704, high_mm: 0.0512 });
+  proof.show({ clear: 5, impinged: 0, undecided: 0, vertices_without_bound: 0, vertices_measured_on_the_faces: 1, largest_mm: 1.2301, median_mm: 0.0123401,
+    smallest_gap_between_mm: [-0.0704, 0.0512] });
   assert.equal(shown['smallest-proven'].textContent, '−0.071 to 0.052 mm');
   assert.deepEqual(['bound', 'bound-half'].map((id) => shown[id].textContent), ['± 1.24 mm', '± 12.4 µm']);
 });
@@ -116,6 +117,14 @@ test('names of files say joint and pose, and none is empty', () => {
   assert.equal(words.poseWords({ motion: { flexion: 0, abduction: 0, internal_rotation: 0 }, offset: [0, 0, 0] }), 'Pose of the scan');
 });
 
+test('motions and hips have the names that a reader knows', () => {
+  const { motionLabel, presetLabel } = words;
+  const labels = [['flexion', 'flexion', 'thigh forward'], ['internal_rotation_at_45', 'internal_rotation', 'at 45 degrees of flexion'], ['fadir', 'internal_rotation', 'at 90 of flexion']]
+    .map(([name, growing, meaning]) => motionLabel({ name, growing, meaning }));
+  assert.deepEqual(labels, ['Flexion (thigh forward)', 'Internal rotation at 45 degrees of flexion', 'FADIR (at 90 of flexion)']);
+  assert.deepEqual(['cam', 'patient_a'].map(presetLabel), ['Cam', 'Patient A (stand-in)']);
+});
+
 test('measures that are refused are named, once a reason', () => {
   const of = (measure, refused) => ({ measure, state: refused ? `refused: ${refused}` : 'measured', value: refused ? null : 1 });
   assert.equal(words.refusedWords([of('version', null), of('head_radius', null)]), '');
@@ -125,11 +134,11 @@ test('measures that are refused are named, once a reason', () => {
 
 test('a file of limits has a cell for every column, and quotes a name', () => {
   const limits = [LIMIT, { ...LIMIT, centre: 'socket', state: 'free', clock: null, what: '' }, { ...LIMIT, threshold_mm: 4, half_mm_gap_deg: null, what: 'rim and head; sensitive to 0.5 mm of play' }];
-  const [head, ...lines] = words.limitsCsv('cam, right', [{ motion: { name: 'fadir' }, limits }]).trim().split('\n');
+  const [head, ...lines] = words.limitsCsv('cam, right', [{ limits }]).trim().split('\n');
   assert.equal(head.split(',').length, 15);
   assert.equal(lines[0], '"cam, right",fadir,0,ball,limited,53.56789,53.56791,40.06,60.04,50.06,1:20,rim and neck,39.06,,no');
   assert.equal(lines[1], '"cam, right",fadir,0,socket,free,53.56789,53.56791,40.06,60.04,50.06,,,39.06,,no');
-  const shifted = words.limitsCsv('cam', [{ motion: { name: 'fadir' }, limits: [limits[2]] }], 'ball shifted by 0.0, 1.0, 0.0 mm').split('\n');
+  const shifted = words.limitsCsv('cam', [{ limits: [limits[2]] }], 'ball shifted by 0.0, 1.0, 0.0 mm').split('\n');
   assert.match(shifted[1], /^cam,.*,"ball shifted by 0.0, 1.0, 0.0 mm; rim and head; sensitive to 0.5 mm of play",39\.06,,no$/);
   assert.equal(lines[2], '"cam, right",fadir,4,ball,limited,53.56789,53.56791,40.06,60.04,,1:20,rim and head; sensitive to 0.5 mm of play,39.06,,no');
 });
@@ -173,7 +182,7 @@ test('whole bones and landmarks are told', () => {
   const taken = words.takenWords({ ball: { faces: 4321, of: 60000, within_mm: 31.04 }, socket: null });
   assert.deepEqual(taken, ['Of the femur 4,321 of 60,000 faces, within 31.0 mm of the centre, are the ball; the rest counts as bone beside it.']);
   assert.deepEqual(words.framesWords(null), []);
-  assert.match(words.framesWords({ pelvic_tilt_deg: -4.06, scanned_deg: [1, -2, 3] })[0], /tilted by −4\.1° in the scan; angles are counted from neutral, .* flexion 1\.0°, abduction −2\.0°, internal rotation 3\.0°\.$/);
+  assert.match(words.framesWords({ pelvic_tilt_deg: -4.06, scanned_flexion_deg: 1, scanned_abduction_deg: -2, scanned_internal_rotation_deg: 3 })[0], /tilted by −4\.1° in the scan; angles are counted from neutral, .* flexion 1\.0°, abduction −2\.0°, internal rotation 3\.0°\.$/);
 });
 
 test('what is asked while tables follow a joint is asked of that joint', async () => {

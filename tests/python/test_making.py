@@ -54,13 +54,6 @@ def test_headers_of_slicer_say_the_axes(files, tmp_path):
         impinge.Joint.read(*heads, side="right", axes="RAS")
 
 
-def test_arrays_make_the_joint_that_files_make(files):
-    joint = impinge.Joint.read(*files, side="right")
-    again = impinge.Joint.from_arrays(
-        *((s.vertices + joint.centre, s.faces) for s in (joint.ball, joint.socket)), side="right", centre=joint.centre)
-    assert np.allclose(again.smallest_gap(TURNS)["gap_mm"], joint.smallest_gap(TURNS)["gap_mm"], atol=1e-6)
-
-
 def test_parameters_make_the_hip_that_they_say():
     assert "cam" in impinge.hip_presets()
     cam, changed = impinge.hip_parameters("cam"), impinge.Joint.from_hip("cam", faces=2000, head_radius=22)

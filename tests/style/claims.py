@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is claimed: the theorems of paper/proofs.tex, the headers that say "Theorem n (label)", the tests whose suite is named
 TheoremLabel, and the rounding constants with their Gappa scripts. Without an option it checks that none of these is without
-the others, and that paper/claims.md says so. --write writes that page and the numbers in the headers; --gappa proves the
-scripts."""
+the others, and that paper/claims.md says so. --write writes that page, the constants as a table of the papers (paper/rounding.tex)
+and the numbers in the headers; --gappa proves the scripts."""
 
 import csv
 import re
@@ -13,6 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "paper/claims.md"
+TABLE = ROOT / "paper/rounding.tex"
 THEOREM = re.compile(r"\\begin\{theorem\}\[(.*?)\]\\label\{thm:(.*?)\}\n((?:%@ .*\n)*)")
 CITED = re.compile(r"Theorem (\d+) \(([\w-]+)\)")
 TEST = re.compile(r"^(?:TYPED_)?TEST(?:_F|_P)?\((\w+), (\w+)\)", re.M)
@@ -110,16 +111,37 @@ class Claims:
         lines += [f"| `{name}` | {link(ROOT / 'libcore' / where)} | {why} |" for where, name, why in self.rest]
         return "\n".join(lines) + "\n"
 
+    def table(self):
+        """The constants with a script, those of sphere/ and table/ in the paper that has the theorems on tables."""
+        rows = {True: [], False: []}
+        for path, said in self.scripts.items():
+            for name, _, *told in said:
+                row = " & ".join([f"\\texttt{{{latex(name)}}} ({latex(path.stem)})", *map(latex, told)]) + r" \\"
+                rows[path.relative_to(ROOT / "libcore").parts[0] in ("sphere", "table")].append(row)
+        lines = ["% SPDX-License-Identifier: GPL-3.0-or-later", f"% Made by {Path(__file__).relative_to(ROOT)} --write.",
+                 r"\iftables\newcommand{\roundingrows}{%", *dict.fromkeys(rows[True]),
+                 r"}\else\newcommand{\roundingrows}{%", *dict.fromkeys(rows[False]), r"}\fi"]
+        return "\n".join(lines) + "\n"
+
     def write(self):
         for path, text in self.sources.items():
             new = CITED.sub(lambda found: f"Theorem {self.theorems[found[2]]['number']} ({found[2]})" if found[2] in self.theorems else found[0], text)
             if new != text:
                 path.write_text(new)
         PAGE.write_text(self.page())
+        TABLE.write_text(self.table())
 
 
 def cell(text):
     return text.replace("|", "\\|")
+
+
+def latex(text):
+    """LaTeX of what a script says in plain text: powers, roots, lower indices, names."""
+    number = lambda found: "$" + found[1] * (found[1] != "1") + r"\cdot" * (found[1] != "1") + f"{ {'e': 10, 'b': 2}[found[2]]}^{{{found[3]}}}$"
+    text = re.sub(r"\b([\d.]+)([eb])(-\d+)", number, re.sub(r"[&%#_]", r"\\\g<0>", text))
+    text = re.sub(r"(?<=\b[a-z]|\|)\\_(\w)\b", r"$_\1$", re.sub(r"(?<=[\w)|])\^(-?\w+)", r"$^{\1}$", text))
+    return re.sub(r"the theorem `(\w+)`", r"Theorem~\\ref{thm:\1}", re.sub(r"root (\d)", r"$\\sqrt\1$", text).replace("<=", r"$\le$"))
 
 
 def link(path):
@@ -159,8 +181,8 @@ def main():
             done = subprocess.run(["gappa", "-Eprecision=150", "-Echange-threshold=0.001", "-Eno-auto-dichotomy", str(path)], capture_output=True, text=True)
             if done.returncode or "failed" in done.stderr.lower() or not claims.scripts[path]:
                 claims.wrong.append(f"{path.relative_to(ROOT)}: {done.stderr.strip() or 'it names no constant'}")
-    elif PAGE.read_text() != claims.page():
-        claims.wrong.append(f"paper/claims.md is old: {Path(__file__).relative_to(ROOT)} --write")
+    elif PAGE.read_text() != claims.page() or TABLE.read_text() != claims.table():
+        claims.wrong.append(f"paper/claims.md or paper/rounding.tex is old: {Path(__file__).relative_to(ROOT)} --write")
     sys.exit("\n".join(claims.wrong) or None)
 
 

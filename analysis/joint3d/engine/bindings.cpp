@@ -5,13 +5,10 @@
 #include <functional>
 #include <map>
 #include <new>
-#include <stdexcept>
 #include <string>
 
-#include "arrays.hpp"
-#include "catalogue.hpp"
 #include "files/one_line.hpp"
-#include "joint/document.hpp"
+#include "hip/named_motion.hpp"
 #include "joint/joint_files.hpp"
 #include "joint/limits.hpp"
 #include "joint/measures.hpp"
@@ -29,10 +26,6 @@ Session& session() {
   return only;
 }
 
-void require_joint() {
-  if (!session().joint) throw std::invalid_argument("there is no joint yet; choose one first");
-}
-
 val ask_joint(const val& request) {
   const bool preset = request["source"].as<std::string>() == "preset";
   if (preset) {
@@ -42,69 +35,57 @@ val ask_joint(const val& request) {
   }
   val reply = joint_reply(*session().joint);
   if (!preset) reply.set("axes_from", axes_request(request).from);
-  reply.set("tables", tables_reply(session().tables));
+  reply.set("tables", val_of(tables_reply(session().tables)));
   return reply;
 }
 
 val ask_tables(const val& request) {
-  require_joint();
-  fill_tables(session(), table_request(request));
+  fill_tables(session(), described<TableSettings>(request));
   measure_tables(session());
-  return tables_reply(session().tables);
+  return val_of(tables_reply(session().tables));
 }
 
 val ask_bound(const val& /*request*/) {
-  require_joint();
   bound_tables(session());
-  return object(std::pair("bound_mm", number_or_null(whole_bound(session().tables))));
+  return val_of({{"bound_mm", json_of(whole_bound(session().tables))}});
 }
 
 val ask_verdicts(const val& request) {
-  require_joint();
-  return verdicts_reply(answer_verdicts(session(), pose_request(request)));
-}
-
-val ask_points(const val& /*request*/) {
-  require_joint();
-  return points_reply(session());
+  return val_of(verdicts_reply(answer_verdicts(session(), described<PoseRequest>(request))));
 }
 
 val ask_pose(const val& request) {
-  require_joint();
-  const GapsAnswer found = answer_pose(session(), pose_request(request));
-  return pose_reply(*session().joint, found);
+  return pose_reply(*session().joint, answer_pose(session(), described<PoseRequest>(request)));
 }
 
 val ask_sweep(const val& request) {
-  require_joint();
-  const LimitRequest limits = limit_request(request);
-  const double step_deg = step_request(request);
-  const Sweep found = sweep(session(), limits, step_deg);
-  val reply = val_of(
-      json_of(LimitsAnswer{.centre_within_mm = kErrorOfInput, .limits = answer_limits(session(), limits)}));
+  const auto asked = described<SweepRequest>(request);
+  const NamedMotion& motion = named_motion(asked.motions.empty() ? std::string() : asked.motions.front());
+  const LimitRequest one{.start = asked.pose.value_or(motion.start),
+                         .growing = std::string(motion.growing),
+                         .motion = motion.name,
+                         .largest_deg = asked.largest_deg,
+                         .translation = asked.translation.value_or(Vec3::Zero()),
+                         .cartilage_mm = asked.cartilage_mm};
+  const Sweep found = sweep(session(), one, asked.step_deg);
+  val reply = val_of({{"limits", json_of(answer_limits(session(), one))}});
   reply.set("angles", float_array(found.angles));
   reply.set("smallest", float_array(found.smallest));
   return reply;
 }
 
-// A request that files/fields.hpp describes.
-template <class Request>
-Request described(const val& request) {
-  require_joint();
-  Request asked;
-  if (is_given(request))
-    read_request(Json::parse(val::global("JSON").call<std::string>("stringify", request)), asked);
-  return asked;
-}
-
 // The document of the answer, with arrays where it has some.
-template <class Request>
-val ask_question(const val& request) {
-  const auto found = answer(session(), described<Request>(request));
+template <class Answer>
+val reply_of(const Answer& found) {
   val reply = val_of(json_of(found));
   if constexpr (requires { add_arrays(*session().joint, found, reply); })
     add_arrays(*session().joint, found, reply);
   return reply;
+}
+
+template <class Request>
+val ask_question(const val& request) {
+  return reply_of(answer(session(), described<Request>(request)));
 }
 
 // One thread; a worker of the page is told how far it is.
@@ -117,14 +98,7 @@ VolumeSettings volume_settings(VolumeSettings how = {}) {
 }
 
 val ask_volume(const val& request) {
-  const auto asked = described<VolumeRequest>(request);
-  if (asked.width < 0.02)
-    throw std::invalid_argument(
-        "a page leaves 0.02 of all rotations open, or more; choose a width from 0.02 to 1");
-  const VolumeAnswer found = answer(session(), asked, volume_settings());
-  val reply = val_of(json_of(found));
-  add_arrays(*session().joint, found, reply);
-  return reply;
+  return reply_of(answer(session(), described<VolumeRequest>(request), volume_settings()));
 }
 
 // The file that `impinge report` writes. `asked` is a ReportRequest; the page holds the viewer.
@@ -137,34 +111,32 @@ val ask_report(const val& request) {
   const std::string viewer = said("viewer");
   parts.program = said("program");
   parts.viewer = viewer;
-  return object(std::pair("html", report_page(parts)));
+  val reply = val::object();
+  reply.set("html", report_page(parts));
+  return reply;
 }
 
 val ask_export(const val& request) {
-  require_joint();
-  const GapsAnswer found = answer_pose(session(), pose_request(request["pose"]));
+  const GapsAnswer found = answer_pose(session(), described<PoseRequest>(request["pose"]));
   const SessionJoint& joint = *session().joint;
-  const bool csv = request["format"].as<std::string>() == "csv";
-  const bool ball = csv || request["surface"].as<std::string>() == "ball";
+  const auto asked = [&request](const char* name) { return request[name].as<std::string>(); };
+  const Surface of = asked("surface") == "ball" ? Surface::ball : Surface::socket;
   const std::string bytes =
-      csv ? gaps_csv(joint, found)
-          : surface_file(joint, found, ball ? Surface::ball : Surface::socket, ply_bytes);
-  const char* name = csv ? "gaps.csv" : ball ? "ball.ply" : "socket.ply";
-  return object(std::pair("name", name),
-                std::pair("bytes", typed_array(std::vector<std::uint8_t>(bytes.begin(), bytes.end()))));
+      asked("format") == "csv" ? gaps_csv(joint, found) : surface_file(joint, found, of, ply_bytes);
+  val reply = val::object();
+  reply.set("bytes", typed_array<std::uint8_t>(std::vector<std::uint8_t>(bytes.begin(), bytes.end())));
+  return reply;
 }
 
-val refusal(const std::string& why) {
-  return object(std::pair("ok", false), std::pair("error", one_line(why)));
-}
+val refusal(const std::string& why) { return val_of({{"ok", false}, {"error", one_line(why)}}); }
 
 val ask(const std::string& kind, const val& request) {
   static const std::map<std::string, std::function<val(const val&)>> kKinds{
-      {"presets", [](const val&) { return catalogue(); }},
+      {"presets", [](const val&) { return val_of(catalogue()); }},
       {"joint", ask_joint},
       {"tables", ask_tables},
       {"bound", ask_bound},
-      {"points", ask_points},
+      {"points", [](const val&) { return points_reply(session()); }},
       {"pose", ask_pose},
       {"verdicts", ask_verdicts},
       {"sweep", ask_sweep},
@@ -181,6 +153,8 @@ val ask(const std::string& kind, const val& request) {
   try {
     const auto found = kKinds.find(kind);
     if (found == kKinds.end()) return refusal("unknown question '" + kind + "'");
+    if (!session().joint && kind != "presets" && kind != "joint")
+      return refusal("there is no joint yet; choose one first");
     val reply = found->second(request);
     reply.set("ok", true);
     return reply;

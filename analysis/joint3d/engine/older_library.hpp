@@ -82,38 +82,39 @@ auto projected(Less less, Projection projection) {
   };
 }
 
-template <class Range, class Predicate>
-bool all_of(Range&& range, Predicate predicate) {
-  return std::all_of(std::begin(range), std::end(range), std::ref(predicate));
-}
-template <class Range, class Predicate>
-bool any_of(Range&& range, Predicate predicate) {
-  return std::any_of(std::begin(range), std::end(range), std::ref(predicate));
-}
-template <class Range, class Predicate>
-bool none_of(Range&& range, Predicate predicate) {
-  return std::none_of(std::begin(range), std::end(range), std::ref(predicate));
-}
-template <class Range, class Value>
-auto count(Range&& range, const Value& value) {
-  return std::count(std::begin(range), std::end(range), value);
-}
-template <class Range, class Predicate>
-auto count_if(Range&& range, Predicate predicate) {
-  return std::count_if(std::begin(range), std::end(range), std::ref(predicate));
-}
-template <class Range, class Value>
-auto find(Range&& range, const Value& value) {
-  return std::find(std::begin(range), std::end(range), value);
-}
-template <class Range, class Predicate>
-auto find_if(Range&& range, Predicate predicate) {
-  return std::find_if(std::begin(range), std::end(range), std::ref(predicate));
-}
-template <class Range, class Value>
-auto lower_bound(Range&& range, const Value& value) {
-  return std::lower_bound(std::begin(range), std::end(range), value);
-}
+// An algorithm of a range is that of its two ends.
+#define IMPINGE_OF_RANGE(algorithm)                                     \
+  template <class Range, class... Rest>                                 \
+  auto algorithm(Range&& range, Rest... rest) {                         \
+    return std::algorithm(std::begin(range), std::end(range), rest...); \
+  }
+#define IMPINGE_OF_ORDERED_RANGE(algorithm)                                                  \
+  template <class Range, class Less = std::less<>, class Projection = Itself>                \
+  auto algorithm(Range&& range, Less order = {}, Projection projection = {}) {               \
+    return std::algorithm(std::begin(range), std::end(range), projected(order, projection)); \
+  }
+IMPINGE_OF_RANGE(all_of)
+IMPINGE_OF_RANGE(any_of)
+IMPINGE_OF_RANGE(none_of)
+IMPINGE_OF_RANGE(count)
+IMPINGE_OF_RANGE(count_if)
+IMPINGE_OF_RANGE(find)
+IMPINGE_OF_RANGE(find_if)
+IMPINGE_OF_RANGE(lower_bound)
+IMPINGE_OF_RANGE(copy_if)
+IMPINGE_OF_RANGE(transform)
+IMPINGE_OF_RANGE(replace_if)
+IMPINGE_OF_RANGE(fill)
+IMPINGE_OF_RANGE(min_element)
+IMPINGE_OF_ORDERED_RANGE(max_element)
+IMPINGE_OF_ORDERED_RANGE(sort)
+IMPINGE_OF_ORDERED_RANGE(stable_sort)
+IMPINGE_OF_ORDERED_RANGE(make_heap)
+IMPINGE_OF_ORDERED_RANGE(push_heap)
+IMPINGE_OF_ORDERED_RANGE(pop_heap)
+#undef IMPINGE_OF_RANGE
+#undef IMPINGE_OF_ORDERED_RANGE
+
 template <class Range>
 auto min(Range&& range) {
   return *std::min_element(std::begin(range), std::end(range));
@@ -121,50 +122,6 @@ auto min(Range&& range) {
 template <class Range>
 auto max(Range&& range) {
   return *std::max_element(std::begin(range), std::end(range));
-}
-template <class Range, class Less = std::less<>, class Projection = Itself>
-auto max_element(Range&& range, Less order = {}, Projection projection = {}) {
-  return std::max_element(std::begin(range), std::end(range), projected(order, projection));
-}
-template <class Range>
-auto min_element(Range&& range) {
-  return std::min_element(std::begin(range), std::end(range));
-}
-template <class Range, class Out, class Predicate>
-auto copy_if(Range&& range, Out out, Predicate predicate) {
-  return std::copy_if(std::begin(range), std::end(range), out, std::ref(predicate));
-}
-template <class Range, class Out, class Function>
-auto transform(Range&& range, Out out, Function function) {
-  return std::transform(std::begin(range), std::end(range), out, std::ref(function));
-}
-template <class Range, class Predicate, class Value>
-void replace_if(Range&& range, Predicate predicate, const Value& value) {
-  std::replace_if(std::begin(range), std::end(range), std::ref(predicate), value);
-}
-template <class Range, class Value>
-void fill(Range&& range, const Value& value) {
-  std::fill(std::begin(range), std::end(range), value);
-}
-template <class Range, class Less = std::less<>, class Projection = Itself>
-void sort(Range&& range, Less order = {}, Projection projection = {}) {
-  std::sort(std::begin(range), std::end(range), projected(order, projection));
-}
-template <class Range, class Less = std::less<>, class Projection = Itself>
-void stable_sort(Range&& range, Less order = {}, Projection projection = {}) {
-  std::stable_sort(std::begin(range), std::end(range), projected(order, projection));
-}
-template <class Range, class Less = std::less<>, class Projection = Itself>
-void make_heap(Range&& range, Less order = {}, Projection projection = {}) {
-  std::make_heap(std::begin(range), std::end(range), projected(order, projection));
-}
-template <class Range, class Less = std::less<>, class Projection = Itself>
-void push_heap(Range&& range, Less order = {}, Projection projection = {}) {
-  std::push_heap(std::begin(range), std::end(range), projected(order, projection));
-}
-template <class Range, class Less = std::less<>, class Projection = Itself>
-void pop_heap(Range&& range, Less order = {}, Projection projection = {}) {
-  std::pop_heap(std::begin(range), std::end(range), projected(order, projection));
 }
 
 }  // namespace ranges

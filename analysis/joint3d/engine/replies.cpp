@@ -1,135 +1,123 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "replies.hpp"
 
-#include "catalogue.hpp"
-#include "hip/rim_line.hpp"
+#include "joint/joint_document.hpp"
+#include "joint/touch.hpp"
+#include "joint/volume_map.hpp"
+#include "report/scene.hpp"
 #include "requests.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr std::size_t kRimSectors = 96;
-
-val mesh_value(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> corners;
-  for (const Face& face : mesh.faces) corners.insert(corners.end(), face.begin(), face.end());
-  return object(std::pair("positions", float_array(mesh.vertices)), std::pair("faces", typed_array(corners)));
-}
-
-// Column by column, as WebGL has it.
-val matrix_value(const Eigen::Matrix3d& rotation, const Vec3& translation) {
-  std::vector<float> numbers(16, 0.0F);
-  for (std::size_t column = 0; column < 4; ++column) {
-    for (std::size_t row = 0; row < 3; ++row) {
-      const auto i = static_cast<Eigen::Index>(row);
-      const double value = column < 3 ? rotation(i, static_cast<Eigen::Index>(column)) : translation[i];
-      numbers[4 * column + row] = static_cast<float>(value);
-    }
-  }
-  numbers[15] = 1.0F;
-  return typed_array(numbers);
-}
-
-val rim_value(const SessionJoint& joint) {
-  std::vector<Vec3> places;
-  std::vector<double> hours;
-  if (joint.dial) {
-    TriangleMesh socket = main_surface(joint.joint.socket.mesh, joint.joint.socket.parts);
-    socket.vertices = mapped(joint.axes, socket.vertices);
-    for (const RimPoint& at : rim_line(socket, *joint.dial, kRimSectors)) {
-      places.emplace_back(joint.axes.transpose() * at.place);
-      hours.push_back(at.hours);
-    }
-  }
-  return object(std::pair("positions", float_array(places)), std::pair("hours", float_array(hours)));
-}
-
-// As they stand in the socket, about whose centre a page draws.
-std::vector<float> in_socket(std::vector<float> points, const Vec3& shift) {
-  for (std::size_t k = 0; k < points.size(); ++k)
-    points[k] += static_cast<float>(shift[static_cast<Eigen::Index>(k % 3)]);
-  return points;
-}
-
-// What of a whole bone is the surface of the joint.
-val taken_value(const JointPart& part) {
-  if (!part.taken) return val::null();
-  return object(std::pair("faces", static_cast<double>(part.taken->faces)),
-                std::pair("of", static_cast<double>(part.taken->of)),
-                std::pair("within_mm", part.taken->within_mm));
-}
-
-val frames_value(const std::optional<AnatomicalFrames>& frames) {
-  if (!frames) return val::null();
-  const auto& scanned = frames->scanned;
-  return object(
-      std::pair("pelvic_tilt_deg", frames->pelvic_tilt_deg),
-      std::pair("scanned_deg", scanned ? val::array(std::vector<double>{scanned->flexion, scanned->abduction,
-                                                                        scanned->internal_rotation})
-                                       : val::null()));
+void set_mesh(std::span<const Vec3> places, std::span<const Face> faces, val& reply) {
+  reply.set("positions", float_array(places));
+  reply.set("faces", index_array(faces));
 }
 
 }  // namespace
 
 val joint_reply(const SessionJoint& joint) {
   const Joint& found = joint.joint;
-  const val fit =
-      found.fit ? object(std::pair("residual_mm", found.fit->rms), std::pair("radius_mm", found.fit->radius),
-                         std::pair("points", static_cast<double>(found.fit->points)))
-                : val::null();
-  const val rim = rim_value(joint);
-  return object(std::pair("axes", found.axes), std::pair("ball", mesh_value(found.ball.mesh)),
-                std::pair("socket", mesh_value(found.socket.mesh)), std::pair("centre", point(found.centre)),
-                std::pair("fit", fit), std::pair("side", val_of(json_of(joint.side))),
-                std::pair("rim_clock", rim["positions"]), std::pair("rim_hours", rim["hours"]),
-                std::pair("to_joint_frame", matrix_value(joint.axes, Vec3::Zero())),
-                std::pair("parameters", joint.parameters ? parameters_value(*joint.parameters) : val::null()),
-                std::pair("taken", object(std::pair("ball", taken_value(found.ball)),
-                                          std::pair("socket", taken_value(found.socket)))),
-                std::pair("frames", frames_value(found.frames)),
-                std::pair("warnings", list(found.warnings, [](const std::string& w) { return val(w); })),
-                std::pair("doubts", static_cast<double>(found.doubts)));
+  const auto& fit = found.fit;
+  val reply = val_of(
+      {{"axes", found.axes},
+       {"centre", json_of(found.centre)},
+       {"fit",
+        fit ? Json{{"residual_mm", fit->rms}, {"radius_mm", fit->radius}, {"points", fit->points}} : Json()},
+       {"side", json_of(joint.side)},
+       {"parameters", joint.parameters ? parameters_document(*joint.parameters) : Json()},
+       {"taken", {{"ball", json_of(found.ball.taken)}, {"socket", json_of(found.socket.taken)}}},
+       {"frames", json_of(found.frames)},
+       {"warnings", found.warnings},
+       {"doubts", found.doubts}});
+  for (const Surface of : kSurfaces) {
+    const TriangleMesh& mesh = (of == Surface::ball ? found.ball : found.socket).mesh;
+    val drawn = val::object();
+    set_mesh(mesh.vertices, mesh.faces, drawn);
+    reply.set(std::string(name(of)), drawn);
+  }
+  const DrawnRim rim = drawn_rim(joint);
+  reply.set("rim_clock", float_array(rim.places));
+  reply.set("rim_hours", typed_array<float>(rim.hours));
+  reply.set("to_joint_frame", float_array(drawn_matrix(joint.axes, Vec3::Zero())));
+  return reply;
 }
 
-val tables_reply(const SessionTables& tables) {
-  const TableSettings& settings = tables.settings;
-  const double bytes = static_cast<double>(tables.ball->bytes() + tables.socket->bytes());
-  return object(std::pair("scheme", settings.scheme), std::pair("precision_deg", settings.precision_deg),
-                std::pair("storage", text(kStorages[static_cast<std::size_t>(settings.storage)])),
-                std::pair("entries", static_cast<double>(tables.ball->entries())), std::pair("bytes", bytes),
-                std::pair("fill_ms", tables.fill_ms), std::pair("error_mm", or_null(tables.error_mm)));
+Json tables_reply(const SessionTables& tables) {
+  Json reply = json_of(tables.settings);
+  reply.update({{"entries", tables.ball->entries()},
+                {"bytes", tables.ball->bytes() + tables.socket->bytes()},
+                {"fill_ms", tables.fill_ms},
+                {"error_mm", json_of(tables.error_mm)}});
+  return reply;
 }
 
 val points_reply(const Session& session) {
   const TableSettings& settings = session.tables.settings;
   const SessionJoint& joint = *session.joint;
-  return object(
-      std::pair("entries", static_cast<double>(session.tables.ball->entries())),
-      std::pair("ball", typed_array(sample_points(settings, joint.main(Surface::ball), Layer::farthest))),
-      std::pair("socket",
-                typed_array(in_socket(sample_points(settings, joint.main(Surface::socket), Layer::nearest),
-                                      joint.shift))));
+  std::vector<float> socket = sample_points(settings, joint.main(Surface::socket), Layer::nearest);
+  for (std::size_t k = 0; k < socket.size(); ++k)  // about the centre of the socket, where a page draws
+    socket[k] += static_cast<float>(joint.shift[static_cast<Eigen::Index>(k % 3)]);
+  val reply = val_of({{"entries", session.tables.ball->entries()}});
+  reply.set("ball", typed_array<float>(sample_points(settings, joint.main(Surface::ball), Layer::farthest)));
+  reply.set("socket", typed_array<float>(socket));
+  return reply;
 }
 
-val verdicts_reply(const PoseVerdicts& found) {
-  const auto count = [](std::size_t n) { return static_cast<double>(n); };
-  return object(
-      std::pair("clear", count(found.vertices.clear)), std::pair("impinged", count(found.vertices.impinged)),
-      std::pair("undecided", count(found.vertices.undecided)), std::pair("unbounded", count(found.unbounded)),
-      std::pair("largest_mm", found.largest_mm), std::pair("median_mm", found.median_mm),
-      std::pair("low_mm", number_or_null(found.smallest.low)),
-      std::pair("high_mm", number_or_null(found.smallest.high)),
-      std::pair("measured", count(found.smallest.measured)));
+Json verdicts_reply(const PoseVerdicts& found) {
+  Json reply = json_of(found);
+  reply.update({{"clear", found.vertices.clear},
+                {"impinged", found.vertices.impinged},
+                {"undecided", found.vertices.undecided}});
+  return reply;
 }
 
 val pose_reply(const SessionJoint& joint, const GapsAnswer& found) {
   val reply = val_of(json_of(found));
   reply.set("ball_gap", float_array(found.ball.gap));
   reply.set("socket_gap", float_array(found.socket.gap));
-  reply.set("matrix", matrix_value(found.pose.rotation, found.pose.translation));
+  reply.set("matrix", float_array(drawn_matrix(found.pose.rotation, found.pose.translation)));
   reply.set("ms", found.scan_ms);
-  if (const auto& gap = found.smallest_gap) reply.set("place", point(gap->position - joint.joint.centre));
+  if (const auto& gap = found.smallest_gap)
+    reply.set("place", val_of(json_of(Vec3(gap->position - joint.joint.centre))));
   return reply;
+}
+
+void add_arrays(const SessionJoint& joint, const ResectAnswer& found, val& reply) {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // the ball is drawn as landmarks have turned it
+  if (found.surface == Surface::ball) turn = scanned_pose(joint).rotation.transpose();
+  std::vector<Vec3> places = found.mesh.vertices;
+  for (Vec3& x : places) x = turn * (x - joint.joint.centre);
+  set_mesh(places, found.mesh.faces, reply);
+  reply.set("depth", float_array(found.depth));
+}
+
+void add_arrays(const SessionJoint& /*joint*/, const OrientAnswer& found, val& reply) {
+  std::vector<double> squares;
+  for (const OrientationCell& cell : found.cells)
+    squares.insert(squares.end(),
+                   {cell.middle.inclination_deg, cell.middle.anteversion_deg, cell.half_deg,
+                    static_cast<double>(cell.state), cell.leg ? static_cast<double>(*cell.leg) : -1.0});
+  reply.set("squares", float_array(squares));
+}
+
+void add_arrays(const SessionJoint& joint, const VolumeAnswer& found, val& reply) {
+  std::vector<double> ranges;
+  for (int flexion = kMapExtension; flexion < kMapFlexion; flexion += kMapStep) {
+    for (int abduction = -kMapAbduction; abduction < kMapAbduction; abduction += kMapStep) {
+      const MapSquare square =
+          map_square(found.volume, {flexion + 0.5 * kMapStep, abduction + 0.5 * kMapStep, 0.0}, joint.side);
+      ranges.push_back(square.state == CellState::free      ? square.range_deg
+                       : square.state == CellState::blocked ? -1.0
+                                                            : -2.0);
+    }
+  }
+  val map = val_of({{"step", kMapStep},
+                    {"flexion", {kMapExtension, kMapFlexion}},
+                    {"abduction", {-kMapAbduction, kMapAbduction}}});
+  map.set("range_deg", float_array(ranges));
+  reply.set("map", map);
 }
 
 }  // namespace impinge

@@ -1,44 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One question at a time to the library in a worker of its own, which is gone when it has answered, and when its answer no
-// longer matters; and panels that ask one.
+// Panels that ask one question at a time of the library in a worker of its own, which is gone when it has answered, and when its
+// answer no longer matters.
 import { byId, make } from "./elements.js";
 import { inWords } from "./messages.js";
-
-class Apart {
-  /** open(): a client of the library in a worker of its own. */
-  constructor(open) {
-    Object.assign(this, { open, client: null, run: 0 });
-  }
-
-  stop() {
-    this.run += 1;
-    this.client?.worker.terminate();
-    this.client = null;
-  }
-
-  /** The library's answer about a joint, the request that makes it; null where another question, or stop(), came first. */
-  async ask(joint, kind, request, onReached) {
-    this.stop();
-    const mine = this.run;
-    this.client = this.open();
-    try {
-      await this.client.ask("joint", joint);
-      const answer = await this.client.ask(kind, request, onReached);
-      return mine === this.run ? answer : null;
-    } catch (error) {
-      if (mine !== this.run) return null;
-      throw error;
-    } finally {
-      if (mine === this.run) this.stop();
-    }
-  }
-}
 
 /** A panel with question(), clear() and draw(): asked when it is open, and anew when the joint or the question is another. */
 export class ApartPanel {
   /** open(): a client of the library in a worker of its own; id: of the panel, whose elements begin with it; kind: of the question. */
   constructor(open, { id, kind }) {
-    Object.assign(this, { apart: new Apart(open), id, kind, joint: null, found: null, asked: null, seconds: 0, timer: 0 });
+    Object.assign(this, { open, id, kind, client: null, joint: null, found: null, asked: null, seconds: 0, timer: 0 });
     byId(id).addEventListener("toggle", () => this.begin());
     this.bar = make("progress", { max: 1, "aria-label": "How far it is" });
     this.words = make("span", { className: "soft" });
@@ -76,9 +46,13 @@ export class ApartPanel {
     this.timer = setInterval(() => { this.seconds += 1; this.write(); }, 1000);
   }
 
+  stop() {
+    this.client?.worker.terminate();
+    Object.assign(this, { client: null, asked: null });
+  }
+
   cancel() {
-    this.apart.stop();
-    this.asked = null;
+    this.stop();
     this.work(false);
     this.row.hidden = false;
     this.bar.hidden = true;
@@ -99,8 +73,8 @@ export class ApartPanel {
   /** Another question, or joint: what is shown no longer holds. */
   again(other = false) {
     if (!other && JSON.stringify(this.question()) === this.asked) return;
-    this.apart.stop();
-    Object.assign(this, { found: null, asked: null });
+    this.stop();
+    this.found = null;
     this.clear();
     this.say("");
     this.work(false);
@@ -110,17 +84,21 @@ export class ApartPanel {
   async begin() {
     if (!this.joint || this.asked || !byId(this.id).open) return;
     const question = this.question();
-    this.asked = JSON.stringify(question);
+    const client = this.open();
+    Object.assign(this, { client, asked: JSON.stringify(question) });
     this.work(true);
     try {
-      const found = await this.apart.ask(this.joint, this.kind, question, (open) => this.tell(open));
-      if (!found) return;
+      await client.ask("joint", this.joint);
+      const found = await client.ask(this.kind, question, (open) => this.tell(open));
+      if (client !== this.client) return;
       this.work(false);
       this.found = found;
       this.draw();
     } catch (error) {
+      if (client !== this.client) return;
       this.work(false);
       this.say(`${inWords(error)}.`.replace(/\.\.$/, "."));
     }
+    client.worker.terminate();
   }
 }

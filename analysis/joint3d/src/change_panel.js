@@ -6,9 +6,11 @@ import { byId } from "./elements.js";
 const NO_GUIDE = "Nothing here may guide a treatment.";
 
 export class ChangePanel extends ApartPanel {
-  constructor(app, open, { id, kind }) {
+  /** number: of the state, which has a field of its own. */
+  constructor(app, open, { id, kind, number }) {
     super(open, { id, kind });
-    this.app = app;
+    Object.assign(this, { app, number });
+    byId(`${id}-${number}`).addEventListener("change", ({ target }) => { app.state[number] = Number(target.value); this.again(); });
     byId(`${id}-required`).addEventListener("change", ({ target }) => this.require(target.value));
     byId(`${id}-pose`).addEventListener("click", () => this.require(wordsOf(app.state.motion)));
     byId(`${id}-notice`).textContent = NO_GUIDE;
@@ -27,6 +29,7 @@ export class ChangePanel extends ApartPanel {
   /** Brings the fields up to the state. */
   show() {
     byId(`${this.id}-required`).value = this.app.state.required;
+    byId(`${this.id}-${this.number}`).value = this.app.state[this.number];
   }
 
   again(other) {

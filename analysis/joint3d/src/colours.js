@@ -6,12 +6,11 @@ export const RAMP = [[0, 32, 77], [42, 60, 110], [87, 92, 109], [125, 124, 120],
 export const BEYOND = { ball: [226, 230, 222], socket: [221, 227, 234] };
 export const RANGE = { low: -1, high: 15, steps: 2048 }; // mm
 
-const mix = (a, b, share) => a.map((value, k) => Math.round(value + (b[k] - value) * share));
-
-function ramp(share) {
-  const place = Math.min(Math.max(share, 0), 1) * (RAMP.length - 1);
-  const k = Math.min(Math.floor(place), RAMP.length - 2);
-  return mix(RAMP[k], RAMP[k + 1], place - k);
+/** The colour at a share, 0 to 1, of a way along colours. */
+export function along(colours, share) {
+  const place = Math.min(Math.max(share, 0), 1) * (colours.length - 1);
+  const k = Math.min(Math.floor(place), colours.length - 2);
+  return colours[k].map((value, c) => Math.round(value + (colours[k + 1][c] - value) * (place - k)));
 }
 
 export const PLAIN = "plain"; // the scale of a surface that shows no gaps
@@ -22,7 +21,7 @@ export function colourOf(gap, scale, surface, levels) {
   if (scale === "levels") return (levels.find((level) => level.up_to === null || gap <= level.up_to) ?? levels.at(-1)).rgb;
   const cartilage = levels.at(-2).up_to;
   if (gap > cartilage) return BEYOND[surface];
-  return cartilage > 0 ? ramp(gap / cartilage) : RAMP[0];
+  return cartilage > 0 ? along(RAMP, gap / cartilage) : RAMP[0];
 }
 
 /** Colours of RANGE in equal steps, as bytes of red, green, blue, 255. */

@@ -14,21 +14,15 @@ function reached({ state, low_deg: low }, required) {
 export class CutPanel extends ChangePanel {
   /** onCut(cut): the library's reply to `resect` when the femur is shown after it, else null. */
   constructor(app, open, onCut) {
-    super(app, open, { id: "cut", kind: "resect" });
+    super(app, open, { id: "cut", kind: "resect", number: "clearance" });
     this.onCut = onCut;
     this.after = false;
-    byId("cut-clearance").addEventListener("change", ({ target }) => { app.state.clearance = Number(target.value); this.again(); });
     byId("cut").addEventListener("toggle", () => { if (this.found) this.switchTo(byId("cut").open && !byId("cut-shown").hidden); });
     this.showSwitch = oneOfButtons(byId("cut-shown"), (value) => this.switchTo(value === "after"));
   }
 
   question() {
     return { require: this.motions(), clearance_mm: this.app.state.clearance };
-  }
-
-  show() {
-    super.show();
-    byId("cut-clearance").value = this.app.state.clearance;
   }
 
   clear() {

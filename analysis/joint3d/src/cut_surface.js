@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The femur after a cut, coloured by how deep it goes.
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshLambertMaterial } from "three";
-import { BEYOND, RAMP, css } from "./colours.js";
+import { BEYOND, RAMP, along, css } from "./colours.js";
 import { roundedUp } from "./elements.js";
+import { setGeometry } from "./gap_surface.js";
 
 const WHOLE = BEYOND.ball;
 const RAMPED = [WHOLE, ...[...RAMP].reverse()]; // the deeper the darker; without a step at the edge of the cut
-
-/** [red, green, blue] to 255 of a depth in mm. */
-function depthColour(depth, deepest) {
-  const at = Math.min(Math.max(depth / deepest, 0), 1) * (RAMPED.length - 1);
-  const k = Math.min(Math.floor(at), RAMPED.length - 2);
-  return RAMPED[k].map((value, c) => Math.round(value + (RAMPED[k + 1][c] - value) * (at - k)));
-}
 
 /** Rows of the legend, as legendRows(). deepest: mm. The socket has one colour beside a cut femur: gaps are those before the cut. */
 export const cutRows = (deepest) => [{ colours: [css(WHOLE)], text: "femur, not cut" }, { colours: RAMPED.map(css), text: `cut, up to ${roundedUp(deepest, 1)} mm deep` },
@@ -30,18 +24,12 @@ export class CutSurface {
   /** cut: the library's reply to `resect`. */
   set({ positions, faces, depth, depth_mm: [, deepest] }) {
     this.deepest = deepest;
-    const geometry = new BufferGeometry();
     const colours = new Float32Array(positions.length);
     const colour = new Color();
     depth.forEach((mm, k) => {
-      const [red, green, blue] = depthColour(mm, deepest);
+      const [red, green, blue] = along(RAMPED, mm / deepest);
       colour.setRGB(red / 255, green / 255, blue / 255, "srgb").toArray(colours, 3 * k);
     });
-    geometry.setAttribute("position", new BufferAttribute(positions, 3));
-    geometry.setAttribute("color", new BufferAttribute(colours, 3));
-    geometry.setIndex(new BufferAttribute(faces, 1));
-    geometry.computeVertexNormals();
-    this.mesh.geometry.dispose();
-    this.mesh.geometry = geometry;
+    setGeometry(this.mesh, { position: new BufferAttribute(positions, 3), color: new BufferAttribute(colours, 3) }, new BufferAttribute(faces, 1));
   }
 }

@@ -2,7 +2,7 @@
 // Questions to the library, which runs in a worker. Every question has one answer; a refusal is Told in the library's words.
 import { Told } from "./messages.js";
 
-/** The answer came too late: a newer question of the same kind had been asked. */
+/** The worker that was asked is gone, as a reader wanted. */
 class Stale extends Error {}
 
 export class EngineClient {
@@ -32,7 +32,7 @@ export class EngineClient {
     this.open();
   }
 
-  answer({ id, ok, stale, error, ...reply }) {
+  answer({ id, ok, error, ...reply }) {
     const waiting = this.answers.get(id);
     if (!waiting) return;
     if (ok === undefined) { // not an answer yet, but how far it is
@@ -41,7 +41,7 @@ export class EngineClient {
     }
     this.answers.delete(id);
     if (ok) waiting.resolve(reply);
-    else waiting.reject(stale ? new Stale() : new Told(error));
+    else waiting.reject(new Told(error));
   }
 
   /** onReached(open): the share of the work that is still to be done, of questions that say so. */

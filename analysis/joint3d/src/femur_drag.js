@@ -11,19 +11,15 @@ function axes(turn, side) {
   const mirror = side === "left" ? -1 : 1;
   const flexion = new Vector3(1, 0, 0);
   const rotation = new Vector3(0, 0, 1).transformDirection(turn);
-  const abduction = rotation.clone().cross(flexion);
-  if (abduction.lengthSq() < 1e-6) return null; // both axes are one
-  abduction.normalize().multiplyScalar(-mirror);
+  const abduction = rotation.clone().cross(flexion).normalize().multiplyScalar(-mirror);
   return [flexion, abduction, rotation.multiplyScalar(mirror)];
 }
 
 /** How much each angle changes, degrees, for a turn vector in radians: { flexion, abduction, internal_rotation }. */
 function angleChange(turnVector, turn, side) {
-  const columns = axes(turn, side);
-  if (!columns) return null;
-  const [f, a, r] = columns;
+  const [f, a, r] = axes(turn, side);
   const jacobian = new Matrix3().set(f.x, a.x, r.x, f.y, a.y, r.y, f.z, a.z, r.z);
-  if (Math.abs(jacobian.determinant()) < 0.1) return null;
+  if (Math.abs(jacobian.determinant()) < 0.1) return null; // two axes are nearly one
   const change = turnVector.clone().applyMatrix3(jacobian.invert()).multiplyScalar(DEGREES);
   return { flexion: change.x, abduction: change.y, internal_rotation: change.z };
 }

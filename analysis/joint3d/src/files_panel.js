@@ -2,7 +2,7 @@
 // A reader's own joint: two bones by dialog or drop, parts beside them and landmarks, its side, axes and unit, and its centre,
 // fitted or typed.
 import { byId, make } from "./elements.js";
-import { BadFile, isLandmarks, readLandmarks, readMesh, sortFiles } from "./mesh_files.js";
+import { BadFile, filesOf, isLandmarks, readLandmarks, readMesh, sortFiles } from "./mesh_files.js";
 
 const BONES = { ball: "femur", socket: "pelvis" };
 const MORE = ["ball_parts", "socket_parts", "landmarks"]; // beside them, or none
@@ -79,10 +79,8 @@ export class FilesPanel {
 
   /** own: a joint that was kept, as onJoint() got it. */
   restore(own) {
-    const { ball, socket, landmarks } = own;
-    [ball, socket].forEach((bone) => [bone, ...bone.parts].forEach((mesh) => this.read.set(mesh.file, mesh)));
-    const files = (meshes) => meshes.map(({ file }) => file);
-    this.take({ ball: files([ball]), socket: files([socket]), ball_parts: files(ball.parts), socket_parts: files(socket.parts), landmarks: landmarks ? [landmarks.file] : [] }, true);
+    [own.ball, own.socket].forEach((bone) => [bone, ...bone.parts].forEach((mesh) => this.read.set(mesh.file, mesh)));
+    this.take(filesOf(own), true);
     this.fill(own);
   }
 
@@ -119,7 +117,7 @@ export class FilesPanel {
     const [marked] = this.files.landmarks ?? [];
     if (marked && fields.unit !== "mm") throw new BadFile(`${marked.name}: landmarks are read in mm; give meshes in mm beside them`);
     const own = { ball: await this.bone("ball"), socket: await this.bone("socket"), landmarks: marked ? await readLandmarks(marked) : null, ...fields, centre: this.centre() };
-    const used = new Set([own.ball, own.socket].flatMap((bone) => [bone, ...bone.parts]).map(({ file }) => file));
+    const used = new Set(Object.values(filesOf(own)).flat());
     [...this.read.keys()].filter((file) => !used.has(file)).forEach((file) => this.read.delete(file));
     return { ...own, label: `${own.ball.name} and ${own.socket.name}` };
   }

@@ -28,6 +28,14 @@ function scaleTexture() {
   return texture;
 }
 
+/** Gives a mesh other vertices, by their attributes, and faces. */
+export function setGeometry(mesh, attributes, faces) {
+  mesh.geometry.dispose();
+  mesh.geometry = new BufferGeometry().setIndex(faces);
+  Object.entries(attributes).forEach(([name, attribute]) => mesh.geometry.setAttribute(name, attribute));
+  mesh.geometry.computeVertexNormals();
+}
+
 export class GapSurface {
   constructor(surface) {
     this.surface = surface;
@@ -48,15 +56,10 @@ export class GapSurface {
 
   /** positions: x, y, z of each vertex, mm; faces: three corners each; near: those faces that belong to the joint. */
   setMesh(positions, faces, near) {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(positions, 3));
-    geometry.setAttribute("gap", new BufferAttribute(new Float32Array((positions.length / 3) * 2), 2));
     this.faces = new BufferAttribute(faces, 1);
     this.near = new BufferAttribute(near, 1);
-    geometry.setIndex(this.faces);
-    geometry.computeVertexNormals();
-    this.mesh.geometry.dispose();
-    this.mesh.geometry = geometry;
+    const gap = new BufferAttribute(new Float32Array((positions.length / 3) * 2), 2);
+    setGeometry(this.mesh, { position: new BufferAttribute(positions, 3), gap }, this.faces);
   }
 
   showWhole(whole) {

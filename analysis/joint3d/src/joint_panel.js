@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which joint: a reader's own one, or a preset of the library with its side and each of its parameters.
 import { byId, fillChoice, make, sliderRow } from "./elements.js";
+import { labelOf, presetLabel } from "./names.js";
 import { OWN } from "./state.js";
 
 const GROUPS = [
@@ -11,7 +12,7 @@ const GROUPS = [
   ["Trochanters and spine", ["greater_", "lesser_", "aiis_"]],
   ["Fossa and centre", ["fossa_", "shift_"]],
 ];
-const UNITS = { deg: "°", h: "h", mm: "mm", 1: "" };
+const UNITS = { deg: ["°", 1], h: ["h", 0.25], mm: ["mm", 0.1], 1: ["", 0.01] }; // and steps of a slider
 const WAIT = 120; // ms without a change before a joint is built again
 
 export class JointPanel {
@@ -25,12 +26,13 @@ export class JointPanel {
 
   setCatalogue({ presets, parameters }) {
     this.presets = presets;
-    fillChoice(byId("preset"), presets.map(({ name, label }) => ({ value: name, text: label })));
+    fillChoice(byId("preset"), presets.map(({ name }) => ({ value: name, text: presetLabel(name) })));
     GROUPS.forEach(([title, beginnings], k) => {
       const rows = make("div");
       byId("parameters").append(make("details", { open: k === 0 }, make("summary", { textContent: title }), rows));
       parameters.filter(({ key }) => beginnings.some((beginning) => key.startsWith(beginning))).forEach((parameter) => {
-        const row = { ...parameter, key: `parameter-${parameter.key}`, unit: UNITS[parameter.unit] ?? parameter.unit };
+        const [unit, step] = UNITS[parameter.unit];
+        const row = { ...parameter, key: `parameter-${parameter.key}`, label: labelOf(parameter.key), unit, step };
         this.shows.set(parameter.key, sliderRow(rows, row, (value) => this.set(parameter.key, value)));
       });
     });
@@ -42,7 +44,7 @@ export class JointPanel {
 
   /** What the page calls the joint that the state names. */
   name() {
-    return this.preset()?.label ?? this.app.own?.label ?? "";
+    return this.preset() ? presetLabel(this.preset().name) : this.app.own?.label ?? "";
   }
 
   choose(name) {

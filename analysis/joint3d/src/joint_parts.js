@@ -84,8 +84,8 @@ export class JointParts {
     this.socket.setGaps(pose.socket_gap);
     this.setColours(pose.colours, scale);
     this.met = Boolean(pose.smallest_gap);
-    this.nearest.visible = this.met && this.marked && !this.isCut;
     if (this.met) this.nearest.position.fromArray(pose.place);
+    this.showBall();
   }
 
   setColours(colours, scale) {
@@ -107,14 +107,13 @@ export class JointParts {
     });
     this.ballShown = has("ball");
     this.cut.material.wireframe = drawing === "lines";
-    this.showBall();
     this.ball.showWhole(true);
     this.socket.showWhole(this.generated || has("pelvis"));
     this.pelvis.visible = has("pelvis");
     this.addPelvis();
     this.clock.group.visible = has("clock");
     this.marked = has("smallest");
-    this.nearest.visible = Boolean(this.marked && this.met && !this.isCut);
+    this.showBall();
   }
 
   /** The ball after a cut, the library's reply to `resect`; null: as it is. */
@@ -123,16 +122,17 @@ export class JointParts {
     if (cut) this.cut.set(cut);
     this.showBall();
     if (this.colours) this.setColours(this.colours, this.scale);
-    this.nearest.visible = Boolean(this.marked && this.met && !cut);
   }
 
+  /** The ball or what a cut leaves of it, and the mark of a gap that is of the whole one. */
   showBall() {
+    this.nearest.visible = Boolean(this.marked && this.met && !this.isCut);
     this.ball.mesh.visible = this.ballShown && !this.isCut;
     this.cut.mesh.visible = this.ballShown && this.isCut;
   }
 
-  /** A shift given in the joint frame, in that of the input. */
-  fromJointFrame(shift) {
-    return new Vector3(...shift).applyMatrix4(this.root.matrix.clone().invert()).toArray();
+  /** A shift or a direction given in the joint frame, in that of the input. */
+  fromJointFrame(way) {
+    return new Vector3(...way).applyMatrix4(this.root.matrix.clone().invert());
   }
 }

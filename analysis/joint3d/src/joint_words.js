@@ -16,9 +16,9 @@ export const takenWords = (taken) => Object.entries(taken).filter(([, of]) => of
 /** What landmarks changed: a sentence, or none. */
 export function framesWords(frames) {
   if (!frames) return [];
-  const { pelvic_tilt_deg: tilt, scanned_deg: scanned } = frames;
-  const from = scanned ? `angles are counted from neutral, and the femur was scanned at flexion ${angle(scanned[0])}, abduction ${angle(scanned[1])}, internal rotation ${angle(scanned[2])}`
-    : "angles are counted from the pose of the scan";
+  const { pelvic_tilt_deg: tilt, scanned_flexion_deg: flexion, scanned_abduction_deg: abduction, scanned_internal_rotation_deg: rotation } = frames;
+  const from = flexion === null ? "angles are counted from the pose of the scan"
+    : `angles are counted from neutral, and the femur was scanned at flexion ${angle(flexion)}, abduction ${angle(abduction)}, internal rotation ${angle(rotation)}`;
   return [`By the landmarks the pelvis is tilted by ${angle(tilt)} in the scan; ${from}.`];
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The limits of all named motions in one table, row by row, in the slow worker: bone about both centres, and cartilage.
 import { byId, make, roundedDown, roundedUp } from "./elements.js";
+import { motionLabel } from "./names.js";
 
 const WAIT = 350; // ms of rest before they are worked out again
 const COLUMNS = [["ball", false], ["socket", false], ["ball", true]]; // about whose centre, and with cartilage
@@ -19,13 +20,14 @@ function shortly({ state, low_deg: low, high_deg: high, clock, what }) {
   return [text, [title, what].filter(Boolean).join("; ")];
 }
 
-/** limits.csv of [{ motion, limits }], as the library told them; joint: its name; shift: of the ball, in words, or nothing. */
+/** limits.csv of [{ limits }], as the library told them; joint: its name; shift: of the ball, in words, or nothing. */
 export function limitsCsv(joint, rows, shift = "") {
   const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
-  const line = (motion, limit) => [quoted(joint), motion, limit.threshold_mm, limit.centre, limit.state, limit.low_deg, limit.high_deg,
-    limit.centre_low_deg, limit.centre_high_deg, limit.half_mm_gap_deg, limit.clock, quoted([shift, limit.what].filter(Boolean).join("; ")),
-    limit.play_low_deg, limit.play_high_deg, limit.hangs_on_less_than_half_mm ? "yes" : "no"];
-  const lines = rows.flatMap(({ motion, limits }) => limits.map((limit) => line(motion.name, limit).map((cell) => cell ?? "").join()));
+  const lines = rows.flatMap(({ limits }) => limits.map((limit) => {
+    const hangs = limit.hangs_on_less_than_half_mm ? "yes" : "no";
+    const cells = { ...limit, hangs_on_less_than_half_mm: hangs, joint: quoted(joint), what: quoted([shift, limit.what].filter(Boolean).join("; ")) };
+    return CSV.map((column) => cells[column] ?? "").join();
+  }));
   return [CSV.join(), ...lines, ""].join("\n");
 }
 
@@ -117,7 +119,7 @@ export class LimitsPanel {
       const limits = this.rows[k]?.limits;
       const of = ([about, cartilage]) => limits.find((each) => each.centre === about && each.threshold_mm > 0 === cartilage);
       const cells = limits ? COLUMNS.map((column) => this.cell(motion, of(column))) : [make("td", { colSpan: 3, textContent: k === done && this.of && !this.halted ? "…" : "" })];
-      return make("tr", {}, make("th", { scope: "row" }, motion.label, ...(limits?.[0].meets ? [make("span", { className: "clock", textContent: limits[0].meets })] : [])), ...cells);
+      return make("tr", {}, make("th", { scope: "row" }, motionLabel(motion), ...(limits?.[0].meets ? [make("span", { className: "clock", textContent: limits[0].meets })] : [])), ...cells);
     }));
     byId("save-limits").disabled = !this.motions || !this.complete();
     const going = Boolean(this.of) && !this.complete();

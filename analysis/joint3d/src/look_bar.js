@@ -12,14 +12,13 @@ const KEYS = {
 
 /** onLook() when something about the drawing has changed. Returns show(). */
 export function lookBar(app, view, onLook) {
-  const changed = (set) => (value) => { set(value, app.state.look); onLook(); };
   const showView = oneOfButtons(byId("views"), (value) => {
     Object.assign(app.state.look, { view: value, camera: null });
     view.eye.lookFrom(value);
   });
-  const showDrawing = oneOfButtons(byId("drawings"), changed((value, look) => { look.drawing = value; }));
+  const showDrawing = oneOfButtons(byId("drawings"), (value) => { app.state.look.drawing = value; onLook(); });
   const showDrag = oneOfButtons(byId("drags"), (value) => app.setDrag(value));
-  byId("colours").addEventListener("change", (event) => changed((value, look) => { look.colours = value; })(event.target.value));
+  byId("colours").addEventListener("change", ({ target }) => { app.state.look.colours = target.value; onLook(); });
   const boxes = [...document.querySelectorAll("#shown input")];
   boxes.forEach((box) => box.addEventListener("change", () => {
     app.state.look.shown = boxes.filter((each) => each.checked).map((each) => each.value);

@@ -68,6 +68,12 @@ export async function readLandmarks(file) {
   return { name: file.name, text: await file.text(), file };
 }
 
+/** The files of a reader's joint, as FilesPanel has it: a list for each that they are given for. */
+export function filesOf({ ball, socket, landmarks }) {
+  const files = (meshes) => meshes.map(({ file }) => file);
+  return { ball: files([ball]), socket: files([socket]), ball_parts: files(ball.parts), socket_parts: files(socket.parts), landmarks: landmarks ? [landmarks.file] : [] };
+}
+
 const BALLS = /femur|femor|head|ball|humer|caput/i;
 const SOCKETS = /acetab|socket|pelvi|glenoid|scapul|hip_?bone|cup/i;
 

@@ -8,7 +8,7 @@ export class Told extends Error {}
 export const NO_MEMORY = "there is not enough memory; choose smaller meshes or a coarser precision, or use the program impinge";
 export const isMemory = (error) => /memory|alloc/i.test(error.message);
 
-/** kind: "fault", "warning" or "note"; no text takes the message away. actions: { text, act } for buttons. */
+/** kind: "fault" or "warning"; no text takes the message away. actions: { text, act } for buttons. */
 export function say(text, kind = "fault", actions = []) {
   byId("message").hidden = !text;
   byId("message").className = kind;

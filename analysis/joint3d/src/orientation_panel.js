@@ -31,8 +31,7 @@ function turnWords({ nearest_free: nearest }) {
 
 export class OrientationPanel extends ChangePanel {
   constructor(app, open) {
-    super(app, open, { id: "orientation", kind: "orient" });
-    byId("orientation-tilt").addEventListener("change", ({ target }) => { app.state.tilt = Number(target.value); this.again(); });
+    super(app, open, { id: "orientation", kind: "orient", number: "tilt" });
     const plot = byId("orientation-plot");
     for (const kind of ["pointermove", "pointerdown"]) plot.addEventListener(kind, (event) => this.point(event));
     plot.addEventListener("focus", () => this.look(this.looked ?? this.found?.as_scanned));
@@ -41,11 +40,6 @@ export class OrientationPanel extends ChangePanel {
 
   question() {
     return { require: this.motions(), tilt_deg: this.app.state.tilt, resolution_deg: RESOLUTION };
-  }
-
-  show() {
-    super.show();
-    byId("orientation-tilt").value = this.app.state.tilt;
   }
 
   clear() {

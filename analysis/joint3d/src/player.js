@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The recorded motions of the thesis' Table 11, played: from the pose of the scan to the recorded angle and back.
 import { byId, fillChoice } from "./elements.js";
+import { labelOf } from "./names.js";
 import { TURNS } from "./state.js";
 
 const SPEED = 30; // degrees a second
@@ -24,7 +25,7 @@ export class Player {
     const of = (patient, word) => ({
       label: `Patient ${word}, Table 11`,
       options: [
-        ...recorded.map((motion) => ({ value: `${patient} ${motion.motion}`, text: `${motion.label} to ${motion[patient]}°` })),
+        ...recorded.map((motion) => ({ value: `${patient} ${motion.motion}`, text: `${labelOf(motion.motion)} to ${motion[patient]}°` })),
         { value: `${patient} all`, text: "all six, one after the other" },
       ],
     });

@@ -21,11 +21,11 @@ export class Poses {
   /** What of a pose is the same along a motion. */
   shape() {
     const { offset, cartilage } = this.app.state;
-    return { translation: this.view.parts.fromJointFrame(offset), cartilage_mm: cartilage };
+    return { translation: this.view.parts.fromJointFrame(offset).toArray(), cartilage_mm: cartilage };
   }
 
   request() {
-    return { ...this.app.state.motion, ...this.shape() };
+    return { pose: this.app.state.motion, ...this.shape() };
   }
 
   again() {

@@ -61,7 +61,8 @@ export class Proof {
     this.asking(request);
   }
 
-  show({ clear, impinged, undecided, unbounded, measured, largest_mm: largest, median_mm: median, low_mm: low, high_mm: high }) {
+  show({ clear, impinged, undecided, vertices_without_bound: unbounded, vertices_measured_on_the_faces: measured, largest_mm: largest, median_mm: median,
+    smallest_gap_between_mm: [low, high] }) {
     const known = clear + impinged + undecided > unbounded;
     clearInterval(this.clock);
     put("bound-half", known ? `± ${boundLength(median)}` : "–");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The clock of the library (hip/clock.hpp), drawn round the rim: a line and the twelve hours.
-import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Vector3 } from "three";
+import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments } from "three";
 import { wordSprite } from "./labels.js";
 
 const INK = "#26323d";
@@ -55,9 +55,4 @@ export class RimClock {
     const middle = depths.reduce((sum, depth) => sum + depth, 0) / depths.length;
     this.hours.children.forEach(({ material }, k) => { material.opacity = depths[k] > middle + BEHIND ? 0.3 : 1; });
   }
-}
-
-/** Where the camera looks, in the frame of a group. */
-export function sightIn(group, camera) {
-  return camera.getWorldDirection(new Vector3()).transformDirection(group.matrix.clone().invert());
 }

@@ -3,7 +3,6 @@
 import { Color, DirectionalLight, HemisphereLight, Scene, Vector3, WebGLRenderer } from "three";
 import { JointParts } from "./joint_parts.js";
 import { drawCompass } from "./labels.js";
-import { sightIn } from "./rim_clock.js";
 import { ViewCamera } from "./view_camera.js";
 
 const LARGEST = 16e6; // pixels of a picture, whatever the zoom
@@ -76,10 +75,9 @@ export class SceneView {
     const { camera, controls } = this.eye;
     this.lamp.position.copy(camera.position).add(new Vector3(0, 0, 0.5 * camera.position.length()));
     this.lamp.target.position.copy(controls.target);
-    this.parts.clock.fade(sightIn(this.parts.root, camera));
+    this.parts.clock.fade(this.parts.fromJointFrame(camera.getWorldDirection(new Vector3())));
     this.parts.points.fit(this.spacing * this.eye.pixelsPerMm() * this.renderer.getPixelRatio());
     this.renderer.render(this.scene, camera);
     drawCompass(this.compass, camera);
   }
-
 }

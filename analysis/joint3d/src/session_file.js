@@ -2,7 +2,7 @@
 // A session as one file: a ZIP of the state, as its link has it, and of a reader's own files as they were given. Unpacked,
 // session.json describes the joint to the program, too (impinge ... --config session.json).
 import { strFromU8, strToU8, unzipSync, zipSync } from "three/addons/libs/fflate.module.js";
-import { BadFile } from "./mesh_files.js";
+import { BadFile, filesOf } from "./mesh_files.js";
 import { OWN, toFragment } from "./state.js";
 
 const NAME = "session.json";
@@ -25,9 +25,8 @@ export async function sessionBytes(state, own, about) {
   const said = { ...about, page: toFragment(state) };
   const packed = {};
   if (state.joint.name === OWN) {
-    const { ball, socket, landmarks, side, axes, unit, centre } = own;
-    const files = (meshes) => meshes.map(({ file }) => file);
-    const lists = { ball: files([ball]), socket: files([socket]), ball_parts: files(ball.parts), socket_parts: files(socket.parts), landmarks: landmarks ? [landmarks.file] : [] };
+    const { side, axes, unit, centre } = own;
+    const lists = filesOf(own);
     const names = differing(Object.values(lists).flat());
     for (const [file, name] of names) packed[name] = [new Uint8Array(await file.arrayBuffer()), { level: 6 }];
     Object.entries(lists).forEach(([key, list]) => {

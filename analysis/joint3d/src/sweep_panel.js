@@ -2,10 +2,12 @@
 // The smallest gap along a motion, with the limit that no step can jump over.
 import { byId, fillChoice, make, roundedDown, roundedUp } from "./elements.js";
 import { inWords } from "./messages.js";
+import { motionLabel } from "./names.js";
 import { drawSweep } from "./plots.js";
 import { TURNS } from "./state.js";
 
 const WAIT = 350; // ms of rest before a motion is swept again
+const LARGEST = 150; // degrees that are swept
 const WITHIN = 0.5; // mm: kErrorOfInput of the library
 
 /** The pose at an angle of a motion. */
@@ -82,7 +84,7 @@ export class SweepPanel {
 
   setCatalogue({ motions }) {
     this.motions = motions;
-    fillChoice(byId("sweep-motion"), motions.map(({ name, label }) => ({ value: name, text: label })));
+    fillChoice(byId("sweep-motion"), motions.map((motion) => ({ value: motion.name, text: motionLabel(motion) })));
   }
 
   motion() {
@@ -134,9 +136,8 @@ export class SweepPanel {
 
   async run() {
     const mine = (this.asked += 1);
-    const start = this.start();
     try {
-      const sweep = await this.ask({ motion: this.motion().name, pose: start });
+      const sweep = await this.ask({ motions: [this.motion().name], pose: this.start(), largest_deg: LARGEST });
       if (mine !== this.asked) return;
       this.sweep = sweep;
       byId("sweep-plot").classList.remove("old");

@@ -6,7 +6,7 @@
 /// A grid on a cube lists the faces that may be met in each of its cells. A face in the plane m . p = 1 has
 /// the inverse depth s = m . x in the direction of x, and the gap there is +- |x| (1 / s - 1). As the remark
 /// after Theorem 5 (gap) shows, a cell without an edge at which the surface ends or folds
-/// (mesh/jump_edges.hpp) keeps only the faces of the layers in front, and there are two kinds of cells:
+/// (mesh/jump_edges.hpp) keeps only the faces in front, and there are two kinds of cells:
 ///   smooth   at most eight faces that cover the cell and bend one way: no corner of a face lies beyond the
 ///            plane of another, or none within it. The face with the largest (the least) s is met, whatever
 ///            the edges are. The test allows 1 + 2^-26, for faces in one plane. Up to four planes are in the

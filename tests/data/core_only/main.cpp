@@ -12,15 +12,14 @@
 int main() {
   using namespace impinge;
   const BallSocketPair joint = make_ball_socket_pair(2000, impinging_cam());
-  SceneNeeds needs;
-  needs.question = Question::first_contact;
-  needs.poses = {Pose{Eigen::AngleAxisd(-0.5, Vec3::UnitY()).toRotationMatrix(), Vec3::Zero()}};
   const AnyScheme scheme("rsid", 0.5);
-  const SceneAnswer smallest = answer_by_table(joint, needs, scheme);
-  needs.question = Question::touch;
-  needs.poses.push_back({Eigen::AngleAxisd(-1.0, Vec3::UnitY()).toRotationMatrix(), Vec3::Zero()});
-  const SceneAnswer touch = answer_by_table(joint, needs, scheme);
-  std::printf("%.3f %d %d %.3f\n", smallest.smallest->gap_mm, static_cast<int>(touch.touches[0]),
-              static_cast<int>(touch.touches[1]), fit_ball(joint.socket).radius);
+  const auto smallest_gap = [&](double angle) {
+    SceneNeeds needs{.question = Question::smallest_gap};
+    needs.pose.rotation = Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
+    return answer_by_table(joint, needs, scheme).smallest->gap_mm;
+  };
+  const double free = smallest_gap(-0.5);
+  std::printf("%.3f %d %d %.3f\n", free, free <= 0.0, smallest_gap(-1.0) <= 0.0,
+              fit_ball(joint.socket).radius);
   return 0;
 }
