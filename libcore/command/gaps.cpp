@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/gaps.hpp"
 
-#include <algorithm>
-
 #include "command/question_command.hpp"
 #include "files/formatted.hpp"
 #include "joint/joint_files.hpp"
@@ -41,13 +39,15 @@ std::string describe_zones(const Impinged& found) {
 }
 
 std::string describe_level(const Impingement& level) {
-  std::string text = level.gap_up_to_mm == 0.0 ? "bone on bone" : "within cartilage";
-  if (level.gap_up_to_mm > 0.0) text += formatted(", %g mm", *level.gap_up_to_mm);
-  text.resize(std::max(text.size() + 1, std::size_t{20}), ' ');
-  if (level.ball.vertices + level.socket.vertices == 0) return text + "nowhere\n";
-  return text + formatted("ball %.1f mm^2 %s; socket %.1f mm^2 %s\n", level.ball.area_mm2,
-                          describe_zones(level.ball).c_str(), level.socket.area_mm2,
-                          describe_zones(level.socket).c_str());
+  const std::string text = level.gap_up_to_mm == 0.0 ? "bone on bone        " : "within cartilage    ";
+  const std::string end =
+      level.gap_up_to_mm > 0.0 ? formatted(", up to a gap of %g mm\n", *level.gap_up_to_mm) : "\n";
+  if (level.ball.vertices + level.socket.vertices == 0) return text + "nowhere" + end;
+  return text +
+         formatted("ball %.1f mm^2 %s; socket %.1f mm^2 %s", level.ball.area_mm2,
+                   describe_zones(level.ball).c_str(), level.socket.area_mm2,
+                   describe_zones(level.socket).c_str()) +
+         end;
 }
 
 std::string describe_gaps(const SessionJoint& joint, const GapsRequest& request, const GapsAnswer& found) {
