@@ -303,7 +303,7 @@ class BadInput(GeneratedPair):
 
     def test_two_meshes_in_another_unit(self):
         """Nothing is wrong with them but their size: no joint has that in m, a small animal's may have that in cm."""
-        for unit, factor, radius in (("m", 1e-3, "0.0219"), ("cm", 0.1, "2.19")):
+        for unit, factor, radius in (("m", 1e-3, "0.022"), ("cm", 0.1, "2.19")):
             with self.subTest(unit):
                 for name in ("ball", "socket"):
                     (self.root / f"{name}_in_{unit}.ply").write_bytes(
