@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "joint/gaps.hpp"
 
-#include <cmath>
-
 #include "command/question_command.hpp"
 #include "files/formatted.hpp"
 #include "joint/joint_files.hpp"
@@ -10,16 +8,6 @@
 
 namespace impinge {
 namespace {
-
-std::string describe_centre(const Joint& joint) {
-  std::string text = formatted("centre of rotation  %.3f %.3f %.3f mm, %s", joint.centre.x(),
-                               joint.centre.y(), joint.centre.z(), joint.fit ? "fitted" : "given");
-  if (joint.fit) {
-    text += formatted(" (radius %.2f mm, residual %.2f mm rms over %zu vertices)", joint.fit->radius,
-                      joint.fit->rms, joint.fit->points);
-  }
-  return text + "\n";
-}
 
 std::string describe_table(const GapsRequest& request, const GapsAnswer& found) {
   if (found.precision_deg) {
@@ -51,34 +39,15 @@ std::string describe_zones(const Impinged& found) {
 }
 
 std::string describe_level(const Impingement& level) {
-  const std::string text = level.gap_up_to_mm ? formatted("impinged at %3g mm   ", *level.gap_up_to_mm)
-                                              : std::string("cartilage touches   ");
-  if (level.ball.vertices + level.socket.vertices == 0) return text + "nowhere\n";
-  return text + formatted("ball %.1f mm^2 %s; socket %.1f mm^2 %s\n", level.ball.area_mm2,
-                          describe_zones(level.ball).c_str(), level.socket.area_mm2,
-                          describe_zones(level.socket).c_str());
-}
-
-// Megabytes as a person reads them.
-std::string size_text(double bytes) {
-  const double size = std::abs(bytes);
-  if (size >= 1e6) return formatted("%.3g MB", size / 1e6);
-  if (size >= 1e3) return formatted("%.3g kB", size / 1e3);
-  return formatted("%.0f bytes", size);
-}
-
-std::string describe_way(const GapsAnswer& found) {
-  std::string items;
-  for (const LeftOut& item : found.left_out) {
-    items += (items.empty() ? "left out            " : "                    ") + std::string(item.meaning) +
-             (item.reason.empty() ? "" : ": " + item.reason);
-    if (item.bytes_saved != 0.0)
-      items += (item.bytes_saved > 0.0 ? "; saves " : "; takes ") + size_text(item.bytes_saved) +
-               (item.bytes_saved > 0.0 ? "" : " more");
-    items += "\n";
-  }
-  return "way                 " + std::string(found.way) + "\n" +
-         (items.empty() ? "left out            nothing\n" : items);
+  const std::string text = level.gap_up_to_mm == 0.0 ? "bone on bone        " : "within cartilage    ";
+  const std::string end =
+      level.gap_up_to_mm > 0.0 ? formatted(", up to a gap of %g mm\n", *level.gap_up_to_mm) : "\n";
+  if (level.ball.vertices + level.socket.vertices == 0) return text + "nowhere" + end;
+  return text +
+         formatted("ball %.1f mm^2 %s; socket %.1f mm^2 %s", level.ball.area_mm2,
+                   describe_zones(level.ball).c_str(), level.socket.area_mm2,
+                   describe_zones(level.socket).c_str()) +
+         end;
 }
 
 std::string describe_gaps(const SessionJoint& joint, const GapsRequest& request, const GapsAnswer& found) {
@@ -88,7 +57,7 @@ std::string describe_gaps(const SessionJoint& joint, const GapsRequest& request,
                      describe(found.smallest_gap);
   if (found.smallest_gap)
     for (const Impingement& level : found.impingement()) text += describe_level(level);
-  return text + describe_way(found);
+  return text;
 }
 
 Told told(Session& session, const GapsRequest& request, const Work& work) {
@@ -117,6 +86,16 @@ Told told(Session& session, const GapsRequest& request, const Work& work) {
 }
 
 }  // namespace
+
+std::string describe_centre(const Joint& joint) {
+  std::string text = formatted("centre of rotation  %.3f %.3f %.3f mm, %s", joint.centre.x(),
+                               joint.centre.y(), joint.centre.z(), joint.fit ? "fitted" : "given");
+  if (joint.fit) {
+    text += formatted(" (radius %.2f mm, residual %.2f mm rms over %zu vertices)", joint.fit->radius,
+                      joint.fit->rms, joint.fit->points);
+  }
+  return text + "\n";
+}
 
 QuestionCommand gaps_question() {
   QuestionCommand made = question_of<GapsRequest, GapsAnswer>(

@@ -169,6 +169,7 @@ Session load_joint(const JointOptions& options, const ScanContactOptions& told) 
   const auto made = [&](double overlap_mm) {
     input.overlap_mm = overlap_mm;
     Joint joint = assemble_joint(input);
+    require_mm(joint, input.ball.name);
     if (options.cartilage_map) joint.cartilage = read_cartilage(*options.cartilage_map, joint.centre);
     if (options.landmarks) use_landmarks(*options.landmarks, options.side, joint);
     joint.warnings.insert(joint.warnings.end(), said.begin(), said.end());

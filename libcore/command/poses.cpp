@@ -150,9 +150,10 @@ std::string describe_poses(const PosesAnswer& found) {
     text += formatted(", %zu without numbers: untracked in poses.csv", found.untracked);
   text += "\n";
   if (!found.smallest_gap) return text;
-  return text + formatted("smallest gap        %.3f mm at %s vertex %zu in pose %zu\n",
-                          found.smallest_gap->gap_mm, found.smallest_gap->surface.c_str(),
-                          found.smallest_gap->vertex, found.smallest_gap->pose);
+  return text +
+         formatted("smallest gap        %.3f mm%s at %s vertex %zu in pose %zu\n", found.smallest_gap->gap_mm,
+                   found.smallest_gap->gap_mm < 0.0 ? ", depth along a ray," : "",
+                   found.smallest_gap->surface.c_str(), found.smallest_gap->vertex, found.smallest_gap->pose);
 }
 
 Told told(Session& session, const PosesRequest& request, const Work& work) {

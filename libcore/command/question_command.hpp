@@ -156,6 +156,8 @@ QuestionCommand poses_question();
 QuestionCommand touch_question();
 QuestionCommand limits_question();
 struct LimitsAnswer;
+/// A line for a terminal: where the centre is, and of a fitted one the sphere.
+std::string describe_centre(const Joint& joint);
 /// Lines for a terminal: for one motion each limit and what it depends on, for several a table.
 std::string describe(const LimitsAnswer& found);
 QuestionCommand certify_question();

@@ -96,10 +96,10 @@ struct JointInput {
 /// given centre. Throws std::runtime_error, one line with the name of the mesh and what to do, if one mesh is
 /// given for both, no sphere fits the ball, the centre is outside the ball, no ray from the centre meets the
 /// socket, the two are swapped (arrangement.hpp), or one of them is in another unit of length
-/// (length_unit.hpp). It warns of a size that no human joint has in mm, a socket lateral to the ball (left
-/// and right mixed up) or far from it, a ball that is only a cap, a given centre far from the centre of the
-/// fitted sphere, meshes of several pieces, and faulty faces. All but the last two are checked on the main
-/// surfaces alone.
+/// (length_unit.hpp). It warns of a size that no human joint has in mm, a socket lateral to the ball
+/// (left and right mixed up) or far from it, a ball that is only a cap, a given centre far from the centre of
+/// the fitted sphere, meshes of several pieces, and faulty faces. All but the last two are checked on the
+/// main surfaces alone.
 Joint assemble_joint(JointInput input);
 
 /// The joint without its parts.
@@ -107,6 +107,11 @@ Joint without_parts(Joint joint);
 
 /// The joint with its socket's main surface made whole again, as it was given.
 Joint with_whole_socket(Joint joint);
+
+/// Throws std::runtime_error, one line that begins with `ball`, the name of its mesh, if no joint has the
+/// radius of its fitted sphere in mm (wrong_unit() in length_unit.hpp). A page that asks for the unit instead
+/// leaves this out.
+void require_mm(const Joint& joint, const std::string& ball);
 
 /// Throws std::runtime_error, one line, if parts of bone were given beside the joint. `what` names the
 /// question, which takes only the main surfaces into account.

@@ -9,9 +9,11 @@
 namespace impinge {
 namespace {
 
-constexpr double kApart = 5.0;     // times as far; radii of ball and socket differ by a tenth or so
-constexpr double kSmallest = 5.0;  // mm
-constexpr double kLargest = 50.0;  // mm
+constexpr double kApart = 5.0;         // times as far; radii of ball and socket differ by a tenth or so
+constexpr double kSmallest = 5.0;      // mm
+constexpr double kLargest = 50.0;      // mm
+constexpr double kLeastOfAny = 0.1;    // mm, of any animal
+constexpr double kMostOfAny = 1000.0;  // mm
 
 }  // namespace
 
@@ -35,6 +37,15 @@ std::string different_units(const Reach& ball, const Reach& socket, double ratio
       "meshes "
       "are in mm and in one frame",
       socket.nearest, socket.farthest, ball.nearest, ball.farthest);
+}
+
+std::string wrong_unit(double ball_radius) {
+  if (!(ball_radius < kLeastOfAny) && !(ball_radius > kMostOfAny)) return {};
+  const bool small = ball_radius < kLeastOfAny;
+  return formatted(
+      "has a radius of %.3g mm, which no joint has; lengths are read as mm: scale both meshes by %s if they "
+      "are in %s",
+      ball_radius, small ? "1000" : "0.001", small ? "metres" : "micrometres");
 }
 
 std::string doubtful_unit(double ball_radius) {

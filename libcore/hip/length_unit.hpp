@@ -23,6 +23,11 @@ Reach reach_of(const TriangleMesh& mesh);
 /// median `ratio` of radii (Facing::ratio in arrangement.hpp; NaN if unknown) is above 5 or below 1/5.
 std::string different_units(const Reach& ball, const Reach& socket, double ratio);
 
+/// Empty if some joint may have this radius in mm: 0.1 to 1000. Metres of a hip are below it, down to a
+/// shrew's head of 0.25 mm and up to the largest dinosaur's no animal is beyond it. Otherwise what is wrong
+/// and what to do.
+std::string wrong_unit(double ball_radius);
+
 /// Empty if a human ball may have this radius in mm: 5 (a newborn's has 8) to 50. Otherwise what to check: a
 /// radius of 2 to 3 may be a human ball in centimetres, or a rat's in mm.
 std::string doubtful_unit(double ball_radius);

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "files/delimited.hpp"
 #include "files/finite_number.hpp"
 #include "sphere/direction.hpp"
 
@@ -50,6 +51,14 @@ Turn rotated(double degrees, std::optional<Side> side) {
   return {mirror(side) * degrees * kDegree, Vec3::UnitZ()};
 }
 
+// Reads "90,0,30"; none where it is not three numbers.
+std::optional<Motion> motion_of_numbers(std::string_view text) {
+  const auto words = delimited_words(text, ',');
+  if (words.size() != 3 || !finite_number(words.front())) return std::nullopt;
+  return Motion{parse_angle("flexion", words[0]), parse_angle("abduction", words[1]),
+                parse_angle("internal_rotation", words[2])};
+}
+
 }  // namespace
 
 std::span<const MotionName> motion_names() { return kMotionNames; }
@@ -64,6 +73,7 @@ const MotionName& motion_name(std::string_view name) {
 }
 
 Motion parse_motion(std::string_view text) {
+  if (const auto plain = motion_of_numbers(text)) return *plain;
   Motion motion;
   std::array<bool, 3> given{};
   while (!text.empty()) {

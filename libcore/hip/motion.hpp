@@ -45,8 +45,9 @@ std::span<const MotionName> motion_names();
 /// The motion of that name. Throws std::invalid_argument, one line with all names, for any other.
 const MotionName& motion_name(std::string_view name);
 
-/// Reads "flexion=90,internal_rotation=10": names of motion_names(), degrees from -180 to 180, each of the
-/// three axes at most once. Throws std::invalid_argument, one line, for anything else.
+/// Reads "flexion=90,internal_rotation=10", or "90,0,10" for flexion, abduction and internal rotation: names
+/// of motion_names(), degrees from -180 to 180, each of the three axes at most once. Throws
+/// std::invalid_argument, one line, for anything else.
 Motion parse_motion(std::string_view text);
 
 /// Rotation of the ball in the joint frame. The axes follow the joint coordinate system for the hip (Grood

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hip/named_motion.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -27,9 +28,11 @@ constexpr std::array kMotions{
 std::span<const NamedMotion> named_motions() { return kMotions; }
 
 const NamedMotion& named_motion(std::string_view name) {
+  std::string plain(name);
+  std::replace(plain.begin(), plain.end(), ' ', '_');
   std::string names;
   for (const NamedMotion& motion : kMotions) {
-    if (motion.name == name) return motion;
+    if (motion.name == plain) return motion;
     names += (names.empty() ? "" : ", ") + std::string(motion.name);
   }
   throw std::invalid_argument("unknown motion '" + std::string(name) + "'; there are " + names);

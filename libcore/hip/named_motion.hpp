@@ -24,7 +24,8 @@ struct NamedMotion {
 /// fadir and faber are our choice: a clinician takes them as the patient allows.
 std::span<const NamedMotion> named_motions();
 
-/// The motion of that name. Throws std::invalid_argument, one line that lists them, for any other.
+/// The motion of that name; blanks count as `_`. Throws std::invalid_argument, one line that lists them, for
+/// any other.
 const NamedMotion& named_motion(std::string_view name);
 
 }  // namespace impinge

@@ -14,7 +14,9 @@
 #include "hip/named_motion.hpp"
 #include "joint/document.hpp"
 #include "joint/pose_answer.hpp"
+#include "mesh/edges.hpp"
 #include "mesh/mesh_parts.hpp"
+#include "mesh/weld.hpp"
 
 namespace impinge {
 namespace {
@@ -46,6 +48,16 @@ std::optional<Meeting> meeting_of(const CentredLimits& centred, const JointTurn&
   return Meeting{of_ball ? Vec3(at(0.0) * x) : x, at(0.0), {}, HUGE_VAL};
 }
 
+std::optional<UnknownBy> unknown_by(const CentredLimits& centred, const JointTurn& turn,
+                                    const TurnLimit& limit) {
+  constexpr double kBeyond = 0.01;  // degrees: within an opening that a bone came to
+  if (limit.state != LimitState::unknown) return std::nullopt;
+  if (limit.leaves_mesh_deg && *limit.leaves_mesh_deg <= limit.low_deg) return UnknownBy::end_of_ball;
+  for (const double angle : {limit.low_deg, std::min(limit.low_deg + kBeyond, limit.high_deg)})
+    if (centred.limits.verdict(turn, angle).contact == Contact::unknown) return UnknownBy::opening;
+  return UnknownBy::graze;
+}
+
 // A point of a surface, about the centre of the turn. At a gap one surface is at `place` and the other
 // elsewhere along its ray.
 Vec3 point_of(SessionJoint& joint, Surface of, const Vec3& place, double within_mm) {
@@ -75,6 +87,7 @@ LimitAnswer answered(Session& session, const LimitRequest& asked, Surface about,
   limit.start = asked.start;
   limit.largest_deg = largest_of(asked);
   limit.told = told_limit(centred.limits, turn, threshold, limit.largest_deg);
+  limit.unknown_by = unknown_by(centred, turn, limit.told.limit);
   limit.centre_of_rotation = joint.joint.centre + joint.axes.transpose() * centred.centre;
   if (const auto& contact = limit.told.limit.contact)
     limit.position = joint.axes.transpose() * contact->place + limit.centre_of_rotation;
@@ -95,6 +108,28 @@ LimitAnswer answered(Session& session, const LimitRequest& asked, Surface about,
   limit.socket_part = body_name(joint.joint.socket.parts, socket)
                           .value_or(place_on_socket(*session.places, centred.centre + y));
   return limit;
+}
+
+// How far from the head's centre the ball's bone is cut through its neck, mm: an opening there is longer than
+// a thin neck is round. A whole bone and a shaft go on for more than 4 radii; a cap ends on the sphere.
+std::optional<double> neck_cut(const SessionJoint& joint, const SphereFit& head) {
+  constexpr double kNeckFrom = 1.2;  // head radii from the centre
+  constexpr double kNeckTo = 2.0;
+  constexpr double kRound = 3.0;  // head radii: real necks are cut along 5.5 to 6.2
+  const JointPart& ball = joint.joint.ball;
+  if (ball.validation.boundary_edges == 0) return std::nullopt;
+  const TriangleMesh bone = in_joint_frame(joint, weld(whole_main(ball.mesh, ball.parts)));
+  double nearest = std::numeric_limits<double>::infinity();
+  double length = 0.0;
+  for (const auto& [a, b] : boundary_edges(bone)) {
+    const Vec3 from = bone.vertices[a] - head.centre;
+    const Vec3 to = bone.vertices[b] - head.centre;
+    const double low = std::min(from.norm(), to.norm());
+    if (low < kNeckFrom * head.radius || std::max(from.norm(), to.norm()) > kNeckTo * head.radius) continue;
+    nearest = std::min(nearest, low);
+    length += (to - from).norm();
+  }
+  return length > kRound * head.radius ? std::optional(nearest) : std::nullopt;
 }
 
 // Makes the limits about the centre of the ball, and about the socket's centre if it has one.
@@ -174,10 +209,11 @@ std::optional<std::string> LimitRow::meets() const {
 std::string LimitRow::what() const {
   std::string what = meets().value_or("");
   const auto add = [&what](const std::string& doubt) { what += (what.empty() ? "" : "; ") + doubt; };
-  if (told.hangs_on_less())
-    add(formatted("sensitive to less than %g mm", kErrorOfInput));
-  else if (told.limit.leaves_mesh_deg)
+  if (told.hangs_on_less()) add(told.sensitivity());
+  if (told.limit.leaves_mesh_deg)
     add("the ball's mesh ends from " + rounded_down(*told.limit.leaves_mesh_deg, 1));
+  if (unknown_by == UnknownBy::opening) add("hangs on an opening of a mesh");
+  if (unknown_by == UnknownBy::graze) add("surfaces graze");
   return what;
 }
 
@@ -193,8 +229,8 @@ LimitsAnswer answer(Session& session, const LimitsRequest& request) {
   request.check();
   LimitsAnswer answer{.centre_within_mm = kErrorOfInput, .rim = request.rim, .limits = {}};
   for (const NamedMotion& motion : named_motions()) {
-    const bool named =
-        std::find(request.motions.begin(), request.motions.end(), motion.name) != request.motions.end();
+    const bool named = std::any_of(request.motions.begin(), request.motions.end(),
+                                   [&](const std::string& name) { return &named_motion(name) == &motion; });
     if (!(request.motions.empty() ? !request.pose || is_rest(motion.start) : named)) continue;
     const LimitRequest one{.start = request.pose.value_or(motion.start),
                            .growing = std::string(motion.growing),
@@ -211,6 +247,8 @@ LimitsAnswer answer(Session& session, const LimitsRequest& request) {
     }
   }
   shift_ball(session, Vec3::Zero());  // other questions are about the joint as it lies
+  if (session.places && session.places->head)
+    answer.ball_cut_mm = neck_cut(*session.joint, *session.places->head);
   if (request.rim && session.places) answer.rim_in_head_mm = rim_in_head(*session.places);
   return answer;
 }

@@ -5,6 +5,8 @@
 // they tell where the rim would meet neck, trochanter or shaft.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,8 +50,9 @@ struct LimitsRequest {
       Field{"motions", "",
             "what grows: flexion, extension, abduction, adduction, internal_rotation, external_rotation "
             "from `pose`; or from a "
-            "pose of its own internal_rotation_at_45, _70 or _90, external_rotation_at_90, fadir, faber "
-            "[all; with a pose, the first six]",
+            "pose of its own internal_rotation_at_45, _70 or _90 (degrees of flexion), "
+            "external_rotation_at_90, fadir (internal rotation at 90 of flexion and 15 of adduction), faber "
+            "(external rotation at 45 of flexion and 30 of abduction) [all; with a pose, the first six]",
             &LimitsRequest::motions},
       Field{"pose", "", "where motions begin, as flexion=90 [the pose of the scan]", &LimitsRequest::pose},
       Field{"largest_deg", "deg", "growth that is looked at", &LimitsRequest::largest_deg, kPositive},
@@ -74,6 +77,12 @@ inline std::optional<double> end_or_none(const CentreInterval& range) {
   return range.limited ? std::optional(range.high_deg) : std::nullopt;
 }
 
+/// Why nothing is known beyond a limit: only an opening of a mesh could tell whether one bone is inside the
+/// other; the ball's mesh ends; or surfaces graze.
+enum class UnknownBy : std::uint8_t { opening, end_of_ball, graze };
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<UnknownBy>{"opening", "end of ball", "graze"};
+
 /// A row of limits.csv: one limit, and where it is reached.
 struct LimitRow {
   std::string motion;
@@ -83,16 +92,20 @@ struct LimitRow {
   /// Name of the place on the ball that touches (hip/joint_places.hpp) or of its part (mesh/mesh_parts.hpp).
   std::optional<std::string> ball_part{};
   std::optional<std::string> socket_part{};
+  std::optional<UnknownBy> unknown_by{};
 
   std::optional<std::string> clock() const { return clock_text(hours); }
   /// What meets, such as "rim and neck"; none if nothing does.
   std::optional<std::string> meets() const;
-  /// meets(), with a mark where half a millimetre changes the limit (ToldLimit::hangs_on_less()) or the
-  /// ball's mesh ends.
+  /// meets(), and the doubts: half a millimetre changes the limit (ToldLimit::sensitivity()), the ball's mesh
+  /// ends, why the limit is not known.
   std::string what() const;
 
   static constexpr std::tuple fields{
-      Field{"motion", "", "what grows", &LimitRow::motion},
+      Field{"motion", "",
+            "what grows: fadir is internal rotation from 90 of flexion and 15 of adduction, faber external "
+            "rotation from 45 of flexion and 30 of abduction, _at_90 from 90 of flexion",
+            &LimitRow::motion},
       Field{"threshold_mm", "mm", "0: contact of the surfaces; else the gap of a vertex",
             via(&LimitRow::told, &ToldLimit::threshold_mm)},
       Field{"centre", "", "about whose centre the ball turns: ball or socket", &LimitRow::centre},
@@ -110,7 +123,13 @@ struct LimitRow {
       Field{"half_mm_gap_deg", "deg", "where the gap of a vertex first falls to 0.5 mm",
             via(&LimitRow::told, &ToldLimit::half_mm_gap_deg)},
       Field{"clock", "", "where on the rim's clock they touch", &LimitRow::clock},
-      Field{"what", "", "what meets what, and what a reader must know", &LimitRow::what}};
+      Field{"what", "", "what meets what, and what a reader must know", &LimitRow::what},
+      Field{"play_low_deg", "deg", "free up to here for every play of the ball up to 0.5 mm",
+            via(&LimitRow::told, &ToldLimit::play, &CentreInterval::low_deg)},
+      Field{"play_high_deg", "deg", "not free here for any such play; null where that is not known",
+            via(&LimitRow::told, &ToldLimit::play, &end_or_none)},
+      Field{"hangs_on_less_than_half_mm", "", "does half a millimetre change it by more than 5 degrees?",
+            via(&LimitRow::told, &ToldLimit::hangs_on_less)}};
 };
 
 /// A limit in a document.
@@ -127,12 +146,6 @@ struct LimitAnswer : LimitRow {
           Field{"largest_deg", "deg", "growth that was looked at", &LimitAnswer::largest_deg},
           Field{"centre_of_rotation", "mm", "x, y, z in the frame of the meshes",
                 &LimitAnswer::centre_of_rotation},
-          Field{"play_low_deg", "deg", "free up to here for every play of the ball up to 0.5 mm",
-                via(&LimitAnswer::told, &ToldLimit::play, &CentreInterval::low_deg)},
-          Field{"play_high_deg", "deg", "not free here for any such play; null where that is not known",
-                via(&LimitAnswer::told, &ToldLimit::play, &end_or_none)},
-          Field{"hangs_on_less_than_half_mm", "", "does half a millimetre change it by more than 5 degrees?",
-                via(&LimitAnswer::told, &ToldLimit::hangs_on_less)},
           Field{"leaves_ball_mesh_deg", "deg", "from here on the ball's mesh ends under the socket",
                 via(&LimitAnswer::told, &ToldLimit::limit, &TurnLimit::leaves_mesh_deg)},
           Field{"ball_part", "", "what of the ball's bone touches; null without a contact",
@@ -141,7 +154,11 @@ struct LimitAnswer : LimitRow {
           Field{"meets", "", "what meets what, as rim and neck", &LimitAnswer::meets},
           Field{"position", "mm", "x, y, z where they touch, frame of the meshes", &LimitAnswer::position},
           Field{"contact", "", "how they touch",
-                via(&LimitAnswer::told, &ToldLimit::limit, &TurnLimit::contact, &TurnContact::kind)}});
+                via(&LimitAnswer::told, &ToldLimit::limit, &TurnLimit::contact, &TurnContact::kind)},
+          Field{"unknown_by", "",
+                "why nothing is known beyond low_deg: only an opening of a mesh could tell whether one bone "
+                "is inside the other, the ball's mesh ends, or surfaces graze; null elsewhere",
+                &LimitAnswer::unknown_by}});
 };
 
 /// The limits of one growing angle. Contact is sought about the ball's centre, and about the centre of a
@@ -154,6 +171,7 @@ struct LimitsAnswer {
   bool rim = false;
   std::optional<double> rim_in_head_mm{};
   std::vector<LimitAnswer> limits;
+  std::optional<double> ball_cut_mm{};
 
   static constexpr std::tuple fields{
       Field{"centre_within_mm", "mm", "how far off centres and play may be in the ranges",
@@ -164,7 +182,12 @@ struct LimitsAnswer {
             "never. Null: nowhere",
             &LimitsAnswer::rim_in_head_mm},
       Field{"limits", "", "of each motion: contact about both centres, and the gap of the cartilage",
-            &LimitsAnswer::limits}};
+            &LimitsAnswer::limits},
+      Field{
+          "ball_cut_mm", "mm",
+          "how far from the centre the ball's bone is cut off through its neck: what is missing beyond stops "
+          "no motion, so that limits may be too large. Null: it is not",
+          &LimitsAnswer::ball_cut_mm}};
 };
 
 /// Throws std::invalid_argument where a motion needs a side, or where nothing is left to grow.

@@ -73,7 +73,14 @@ void add_matrix(const std::optional<PoseMatrix>& matrix, PoseList& list) {
 PoseList parse_poses(const std::filesystem::path& file, std::string_view bytes, std::optional<Side> side) {
   const std::string kind = plain_name(file.extension().string());
   const PoseLines lines(file, bytes);
-  return kind == ".mot" || kind == ".sto" ? read_opensim(lines, side) : read_pose_csv(lines);
+  if (kind == ".mot" || kind == ".sto") return read_opensim(lines, side);
+  PoseList list = read_pose_csv(lines);
+  for (const PoseColumn& column : list.columns) {
+    const std::string name = plain_name(column.name);
+    if (side && name.starts_with("hip_") && name.ends_with(*side == Side::left ? "_r" : "_l"))
+      lines.refuse_file("has " + column.name + ", which is the other hip; check --side");
+  }
+  return list;
 }
 
 PoseList read_poses(const std::filesystem::path& file, std::optional<Side> side) {

@@ -47,9 +47,17 @@ constexpr std::array<NumberName, 21> kNames{{{PoseKind::hip, "flexion", 0},
 
 std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
+// "flexion" from OpenSim's "hip_flexion_r"; other names as they are.
+std::string without_opensim(std::string plain) {
+  constexpr std::string_view kHip = "hip_";
+  if (!plain.starts_with(kHip) || !(plain.ends_with("_r") || plain.ends_with("_l"))) return plain;
+  plain = plain.substr(kHip.size(), plain.size() - kHip.size() - 2);
+  return plain == "rotation" ? "internal_rotation" : plain;
+}
+
 // The entry of a name, of the given kind or of any; null if there is none.
 const NumberName* find_name(std::string_view name, std::optional<PoseKind> kind) {
-  const std::string plain = plain_name(name);
+  const std::string plain = without_opensim(plain_name(name));
   const auto at = std::find_if(kNames.begin(), kNames.end(), [&](const NumberName& known) {
     return known.name == plain && known.kind == kind.value_or(known.kind);
   });

@@ -19,7 +19,8 @@ namespace impinge {
 /// mm, 0 where the row has none. The others have a matrix (3 x 4), row by row, x' = R x + t, mm.
 enum class PoseKind {
   hip,  // flexion, abduction, internal_rotation: joint_rotation(), the order of Wu et al. 2002 for the hip
-        // (about their Z, X and Y); tx, ty, tz along the axes of the meshes
+        // (about their Z, X and Y); tx, ty, tz along the axes of the meshes. Also OpenSim's hip_flexion_r,
+        // hip_adduction_r, hip_rotation_r, or _l by the side
   shoulder,  // plane_of_elevation, elevation, axial_rotation: shoulder_rotation(); tx, ty, tz as above
   steps,  // rot_x, rot_y, rot_z, trans_x, trans_y, trans_z of BlenderROMFinder, whose axes are taken as those
           // of the meshes, through the centre of rotation: R = R_z R_y R_x, each about the axis that the one

@@ -119,8 +119,9 @@ std::string describe(const ContactDocument& contact) {
 
 std::string describe(const std::optional<SmallestOfPose>& gap) {
   if (!gap) return "smallest gap        none: the surfaces do not face each other\n";
-  std::string text = formatted("smallest gap        %.3f mm at %s vertex %zu", gap->gap_mm,
-                               name(gap->surface).data(), gap->vertex);
+  std::string text =
+      formatted("smallest gap        %.3f mm%s at %s vertex %zu", gap->gap_mm,
+                gap->gap_mm < 0.0 ? ", depth along a ray," : "", name(gap->surface).data(), gap->vertex);
   if (gap->hours) text += ", " + clock_text(*gap->hours) + " o'clock";
   if (gap->error_bound_mm && std::isfinite(*gap->error_bound_mm))
     text += " (error of this gap at most " + rounded_up(*gap->error_bound_mm, 3) + " mm)";

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "limits/told_limit.hpp"
 
+#include "files/formatted.hpp"
 #include "hip/length_unit.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kOfNote = 5.0;  // degrees: a smaller change of a limit does not count
 // mm: of a ball that reaches less far, as one in metres, nothing is told for other centres, since all pairs
 // of faces may meet about some.
 constexpr double kLeastReach = 4.0 * kErrorOfInput;
@@ -18,12 +18,22 @@ std::optional<double> first_reached(const TurnLimit& limit) {
 
 }  // namespace
 
-bool ToldLimit::hangs_on_less() const {
+bool ToldLimit::hangs_on_centre() const {
+  const bool ends = limit.state == LimitState::limited || limit.state == LimitState::blocked;
   const bool later = !common.limited || common.high_deg - limit.high_deg > kOfNote;
-  if (limit.state == LimitState::blocked) return later;
-  if (limit.low_deg - common.low_deg > kOfNote) return true;
-  if (limit.state != LimitState::limited) return half_mm_gap_deg.has_value();
-  return later || limit.low_deg - half_mm_gap_deg.value_or(limit.low_deg) > kOfNote;
+  return (ends && later) || limit.low_deg - common.low_deg > kOfNote;
+}
+
+bool ToldLimit::hangs_on_play() const {
+  if (limit.state == LimitState::blocked || !half_mm_gap_deg) return false;
+  return limit.state != LimitState::limited || limit.low_deg - *half_mm_gap_deg > kOfNote;
+}
+
+std::string ToldLimit::sensitivity() const {
+  if (!hangs_on_less()) return {};
+  return formatted("sensitive to %g mm of ", kErrorOfInput) + (!hangs_on_play()    ? "the centre"
+                                                               : hangs_on_centre() ? "the centre and of play"
+                                                                                   : "play");
 }
 
 ToldLimit told_limit(const TurnLimits& limits, const JointTurn& turn, double threshold_mm,

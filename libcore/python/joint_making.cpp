@@ -74,6 +74,7 @@ SharedJoint joint_of(JointInput input, const Placed& placed) {
   const auto made = [&](double overlap_mm) {
     input.overlap_mm = overlap_mm;
     Joint joint = assemble_joint(input);
+    require_mm(joint, input.ball.name);
     if (placed.cartilage) joint.cartilage = placed.cartilage(joint.centre);
     if (dict != nullptr)
       use_landmarks(points, "landmarks", side, joint);

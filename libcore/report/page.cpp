@@ -99,12 +99,18 @@ std::vector<std::string> limit_warnings(const Json& answer) {
       lines.push_back(formatted("%zu of %zu motions ", count, limits.size()) + what + names + ".");
   };
   add("begin where bones touch already: ", [](const Json& limit) { return limit["state"] == "blocked"; });
-  add("go to where a mesh ends, and perhaps farther: ",
-      [](const Json& limit) { return limit["state"] == "unknown"; });
-  add("hang on less than half a millimetre: with so much error in the centre of rotation or in a mesh their "
-      "limit "
-      "may be more than 5° off: ",
+  add("come to an opening of a mesh, where it is not known whether one bone is inside the other (give both "
+      "whole, or crop both): ",
+      [](const Json& limit) { return limit["unknown_by"] == "opening"; });
+  add("go to where the ball's mesh ends or surfaces graze, and perhaps farther: ",
+      [](const Json& limit) { return limit["state"] == "unknown" && limit["unknown_by"] != "opening"; });
+  add("are sensitive: with 0.5 mm of another centre or of play their limit may be more than 5° off: ",
       [](const Json& limit) { return limit["hangs_on_less_than_half_mm"] && limit["state"] != "blocked"; });
+  if (const Json& cut = answer["limits"]["ball_cut_mm"]; cut.is_number())
+    lines.push_back(
+        formatted("The ball's bone is cut off %.1f mm from the centre, through its neck: what is "
+                  "missing beyond stops no motion, so that limits may be too large.",
+                  cut.get<double>()));
   return lines;
 }
 
@@ -298,13 +304,22 @@ std::string limits_section(const ReportParts& parts) {
                     "tissue is not there, so that a patient turns less far."));
 }
 
+// The range over all centres, or all play.
+std::string range_words(const Json& limit, const std::string& of) {
+  const Json& high = limit[of + "_high_deg"];
+  return rounded_down(limit[of + "_low_deg"], 1) + " to " +
+         (high.is_number() ? rounded_up(high, 1) + "°" : "unknown");
+}
+
 std::string limits_table(const Json& limits) {
   if (limits.is_null()) return "";
   const std::vector<Json> cartilage = ball_limits(limits, true);
   std::vector<std::string> heads{
       "Motion",
       "bones meet",
+      "about the socket's centre",
       formatted("for centres within %g mm", limits["centre_within_mm"].get<double>()),
+      formatted("for play up to %g mm", limits["centre_within_mm"].get<double>()),
       "gap of 0.5 mm",
       "o'clock",
       "what meets, and doubts"};
@@ -314,13 +329,15 @@ std::string limits_table(const Json& limits) {
     std::vector<std::string> cells(heads.size());
     cells[0] = motion_words(limit["motion"]);
     cells[1] = reach_words(limit);
-    if (limit["state"] == "limited")
-      cells[2] =
-          rounded_down(limit["centre_low_deg"], 1) + " to " +
-          (limit["centre_high_deg"].is_number() ? rounded_up(limit["centre_high_deg"], 1) + "°" : "unknown");
-    if (limit["half_mm_gap_deg"].is_number()) cells[3] = rounded_down(limit["half_mm_gap_deg"], 1) + "°";
-    cells[4] = text_or(limit["clock"]);
-    cells[5] = text_or(limit["what"]);
+    for (const Json& other : limits["limits"])
+      if (other["motion"] == limit["motion"] && other["centre"] == "socket") cells[2] = reach_words(other);
+    if (limit["state"] == "limited") {
+      cells[3] = range_words(limit, "centre");
+      cells[4] = range_words(limit, "play");
+    }
+    if (limit["half_mm_gap_deg"].is_number()) cells[5] = rounded_down(limit["half_mm_gap_deg"], 1) + "°";
+    cells[6] = text_or(limit["clock"]);
+    cells[7] = text_or(limit["what"]);
     for (const Json& other : cartilage)
       if (other["motion"] == limit["motion"])
         cells.back() = other["state"] == "blocked" ? "from the start" : reach_words(other);

@@ -61,8 +61,9 @@ std::string meeting_words(const Json& limit) {
   std::string text = limit["meets"].is_string() ? limit["meets"].get<std::string>() : "";
   if (limit["clock"].is_string())
     text += (text.empty() ? "" : ", ") + limit["clock"].get<std::string>() + " o'clock";
-  if (limit["hangs_on_less_than_half_mm"])
-    text += std::string(text.empty() ? "" : "; ") + "sensitive to 0.5 mm";
+  const std::string what = limit["what"];
+  if (const std::size_t at = what.find("sensitive to "); at != what.npos)
+    text += (text.empty() ? "" : "; ") + what.substr(at, what.find(';', at) - at);
   return text;
 }
 
@@ -156,8 +157,8 @@ std::string measures_plot(const Json& measures) {
 std::string motion_words(const std::string& name) {
   const NamedMotion& motion = named_motion(name);
   if (name == motion.growing) return spaced(name);
-  if (name == "fadir") return "FADIR, at 90° of flexion, 15° of adduction";
-  if (name == "faber") return "FABER, at 45° of flexion, 30° of abduction";
+  if (name == "fadir") return "FADIR: internal rotation at 90° of flexion, 15° of adduction";
+  if (name == "faber") return "FABER: external rotation at 45° of flexion, 30° of abduction";
   return spaced(motion.growing) + formatted(" at %g° of flexion", motion.start.flexion);
 }
 

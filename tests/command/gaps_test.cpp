@@ -224,22 +224,22 @@ TEST_F(Gaps, AThickSocketIsReportedAndItsNearLayerUsed) {
   EXPECT_NE(warning.find("gaps are measured to the nearest layer"), std::string::npos) << warning;
 }
 
-// And what is left out, with what that saves.
+// And what is left out, with what that saves; in the document alone.
 TEST_F(Gaps, TheWayIsSaid) {
   write(sphere(22.0, 500), cup(25.0, 80.0, 300));
-  const auto words = [&](const std::string& options) {
+  const auto said = [&](const std::string& options) {
     Session session = this->session();
-    return test::asked(gaps_question(), options).ask(session, {}).words;
+    return test::asked(gaps_question(), options).ask(session, {}).document;
   };
-  const std::string faces = words("");
-  EXPECT_NE(faces.find("way                 each vertex is measured on the faces near it"),
-            std::string::npos);
-  const std::string whole = words("--precision 2");
-  EXPECT_NE(whole.find("way                 whole tables"), std::string::npos) << whole;
-  EXPECT_NE(whole.find("\nleft out            nothing\n"), std::string::npos) << whole;
-  const std::string part = words("--precision 0.1 --outputs gaps");
-  EXPECT_NE(part.find("way                 tables of what the vertices read"), std::string::npos) << part;
-  EXPECT_NE(part.find("; saves "), std::string::npos) << part;
+  EXPECT_EQ(said("")["way"].get<std::string>().find("each vertex is measured on the faces near it"), 0U);
+  const Json whole = said("--precision 2");
+  EXPECT_EQ(whole["way"].get<std::string>().find("whole tables"), 0U) << whole["way"];
+  EXPECT_TRUE(whole["left_out"].empty());
+  const Json part = said("--precision 0.1 --outputs gaps");
+  EXPECT_EQ(part["way"].get<std::string>().find("tables of what the vertices read"), 0U) << part["way"];
+  EXPECT_GT(part["left_out"].at(0)["bytes_saved"].get<double>() +
+                part["left_out"].at(1)["bytes_saved"].get<double>(),
+            0.0);
 }
 
 }  // namespace

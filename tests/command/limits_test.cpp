@@ -92,7 +92,7 @@ TEST(LimitsCommand, FlagsWhatHangsOnLessThanHalfAMillimetre) {
   EXPECT_EQ(contact["state"], "free");
   EXPECT_LT(contact["half_mm_gap_deg"].get<double>(), 60.0);
   EXPECT_TRUE(contact["hangs_on_less_than_half_mm"].get<bool>());
-  EXPECT_NE(found.words.find("sensitive to less than 0.5 mm"), std::string::npos) << found.words;
+  EXPECT_NE(found.words.find("of play, by more than 5 degrees"), std::string::npos) << found.words;
   grazing.cam_height = 3.0;  // a whole millimetre
   const Json clear = abducted(session_of(grazing)).document["limits"][0];
   EXPECT_TRUE(clear["half_mm_gap_deg"].is_null());
@@ -143,11 +143,40 @@ TEST(LimitsCommand, IsToldOutward) {
                            "none before 41.0 degrees", "0.5 mm at 42.0 degrees", "from 43.0 degrees on"})
     EXPECT_NE(text.find(said), std::string::npos) << said << " in\n" << text;
   limit.state = LimitState::unknown;
+  found.limits.front().unknown_by = UnknownBy::end_of_ball;
   EXPECT_NE(describe(found).find("leaves the ball's mesh at 53.5 degrees"), std::string::npos);
   limit.leaves_mesh_deg.reset();
-  EXPECT_NE(describe(found).find("none up to 53.5 degrees, where"), std::string::npos);
+  found.limits.front().unknown_by = UnknownBy::graze;
+  EXPECT_NE(describe(found).find("none up to 53.5 degrees; beyond, unknown since surfaces graze"),
+            std::string::npos);
+  found.limits.front().unknown_by = UnknownBy::opening;
+  EXPECT_NE(describe(found).find("; beyond, whether one bone is inside the other hangs on"),
+            std::string::npos);
   limit.state = LimitState::free;
   EXPECT_NE(describe(found).find("none up to 53.5 degrees,"), std::string::npos);
+}
+
+TEST(LimitsCommand, TableHasBothCentresAndBothRanges) {
+  LimitsAnswer found{.centre_within_mm = 0.5, .limits = std::vector<LimitAnswer>(3)};
+  for (LimitAnswer& limit : found.limits) {
+    limit.motion = "flexion";
+    limit.centre = "ball";
+    limit.told.limit.state = LimitState::limited;
+    limit.told.limit.low_deg = limit.told.limit.high_deg = 120.76;
+    limit.told.common = {118.26, 123.01, true};
+    limit.told.play = {36.66, 123.04, true};
+  }
+  found.limits[0].told.half_mm_gap_deg = 36.9;
+  found.limits[1].centre = "socket";
+  found.limits[1].told.limit.low_deg = 117.07;
+  found.limits[2].motion = "extension";
+  EXPECT_EQ(describe(found),
+            "limits, degrees  bone on bone  about socket  centre within 0.5 mm  play up to 0.5 mm  o'clock  "
+            "what meets, and doubts\n"
+            "flexion          120.7         117.0         118.2 to 123.1        36.6 to 123.1               "
+            "sensitive to 0.5 mm of play\n"
+            "extension        120.7                       118.2 to 123.1        36.6 to 123.1\n"
+            "sensitive           means that the limit may be more than 5 degrees off\n");
 }
 
 }  // namespace

@@ -277,7 +277,7 @@ async function allLimits(page, saved) {
   const { name, bytes } = await saved("save-limits");
   assert.equal(name, "limits_patient_a_stand_in_right.csv");
   const [head, ...lines] = bytes.toString().trim().split("\n").map((line) => line.split(/,(?=(?:[^"]*"[^"]*")*[^"]*$)/));
-  assert.equal(head.join(), "joint,motion,threshold_mm,centre,state,low_deg,high_deg,centre_low_deg,centre_high_deg,half_mm_gap_deg,clock,what");
+  assert.equal(head.join(), "joint,motion,threshold_mm,centre,state,low_deg,high_deg,centre_low_deg,centre_high_deg,half_mm_gap_deg,clock,what,play_low_deg,play_high_deg,hangs_on_less_than_half_mm");
   assert.ok(motions === 12 && lines.length === 3 * motions && lines.every((line) => line.length === head.length), `${lines.length} lines`);
   const bone = lines.find((line) => line[1] === "internal_rotation_at_90" && line[3] === "ball" && line[2] === "0");
   await page.selectOption("#sweep-motion", "internal_rotation_at_90");

@@ -301,9 +301,9 @@ class BadInput(GeneratedPair):
             with self.subTest(message):
                 self.refused(self.gaps("--centre", centre, **keywords), 1, message)
 
-    def test_two_meshes_in_another_unit_get_a_warning(self):
-        """Nothing is wrong with them but their size."""
-        for unit, factor, radius in (("m", 1e-3, "0.0219"), ("cm", 0.1, "2.19")):
+    def test_two_meshes_in_another_unit(self):
+        """Nothing is wrong with them but their size: no joint has that in m, a small animal's may have that in cm."""
+        for unit, factor, radius in (("m", 1e-3, "0.022"), ("cm", 0.1, "2.19")):
             with self.subTest(unit):
                 for name in ("ball", "socket"):
                     (self.root / f"{name}_in_{unit}.ply").write_bytes(
@@ -312,6 +312,10 @@ class BadInput(GeneratedPair):
                 out = self.root / f"in_{unit}"
                 both = {name: self.root / f"{name}_in_{unit}.ply" for name in ("ball", "socket")}
                 done = self.gaps(**both, out=out)
+                if unit == "m":
+                    scale = "lengths are read as mm: scale both meshes by 1000 if they are in metres"
+                    self.refused(done, 1, f"{both['ball']}: has a radius of {radius} mm, which no joint has; {scale}")
+                    continue
                 self.assertEqual(done.returncode, 0, done.stderr)
                 warning = (
                     f"{both['ball']}: has a radius of {radius} mm, and a human joint 5 to 50; "

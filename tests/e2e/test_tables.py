@@ -19,7 +19,7 @@ MOTIONS = ["flexion", "extension", "abduction", "adduction", "internal_rotation"
 CLINICAL = ["internal_rotation_at_45", "internal_rotation_at_70", "internal_rotation_at_90", "external_rotation_at_90", "fadir",
             "faber"]
 LIMITS = ("joint,motion,threshold_mm,centre,state,low_deg,high_deg,centre_low_deg,centre_high_deg,half_mm_gap_deg,clock,"
-          "what").split(",")
+          "what,play_low_deg,play_high_deg,hangs_on_less_than_half_mm").split(",")
 MEASURES = ["head_radius", "head_neck_offset", "neck_shaft_angle", "femoral_torsion",
             *(f"alpha_at_{hour}" for hour in (12, 1, "1_30", *range(2, 12))), "alpha_notzli", "socket_radius", "inclination", "version", "half_opening",
             "lateral_centre_edge", "coverage"]

@@ -14,6 +14,7 @@
 #include "hip/landmarks.hpp"
 #include "hip/length_unit.hpp"
 #include "hip/motion.hpp"
+#include "hip/named_motion.hpp"
 #include "mesh/bodies.hpp"
 #include "sphere/radial_table.hpp"
 
@@ -64,6 +65,20 @@ TEST(Motion, RotationIsAboutTheFlexedThigh) {
   EXPECT_LT((r * kFoot - Vec3(0, 1, 0)).norm(), 1e-15);
   EXPECT_LT((r * kKnee - Vec3(-1, 0, 0)).norm(), 1e-15);
   EXPECT_NEAR(r.determinant(), 1.0, 1e-15);
+}
+
+TEST(Motion, ThreeNumbersAreFlexionAbductionAndInternalRotation) {
+  const Motion motion = parse_motion("90,-15,30");
+  EXPECT_EQ(motion.flexion, 90.0);
+  EXPECT_EQ(motion.abduction, -15.0);
+  EXPECT_EQ(motion.internal_rotation, 30.0);
+  for (const char* wrong : {"90", "90,0", "90,0,0,0", "90,x,0", "90,0,181"})
+    EXPECT_THROW(parse_motion(wrong), std::invalid_argument) << wrong;
+}
+
+TEST(Motion, NamesMayHaveBlanks) {
+  EXPECT_EQ(named_motion("internal rotation at 90").name, "internal_rotation_at_90");
+  EXPECT_THROW(named_motion("internal"), std::invalid_argument);
 }
 
 TEST(Motion, RefusesWhatItCannotRead) {
@@ -255,7 +270,7 @@ TEST(Landmarks, WithoutEpicondylesThereIsNoFemur) {
 
 // Contract: two reaches of which all of one is more than five times all of the other are in different units,
 // and so are two whose radii differ by as much where they face each other; a ball with a radius of less than
-// 5 mm or more than 50 is doubtful.
+// 5 mm or more than 50 is doubtful, and with less than 0.1 mm or more than 1000 it is wrong.
 
 TEST(LengthUnit, ReachIsThatOfCornersOfFaces) {
   TriangleMesh mesh = octahedron(2.0);
@@ -293,6 +308,10 @@ TEST(LengthUnit, SizesThatNoJointHasAreDoubtful) {
     EXPECT_EQ(doubtful_unit(radius), "") << radius;
   for (const double radius : {0.025, 2.5, 4.99, 50.1, 25000.0})
     EXPECT_NE(doubtful_unit(radius).find("lengths are read as mm"), std::string::npos) << radius;
+  for (const double radius : {0.25, 2.5, 25.0, 250.0, std::nan("")})
+    EXPECT_EQ(wrong_unit(radius), "") << radius;
+  EXPECT_NE(wrong_unit(0.025).find("by 1000 if they are in metres"), std::string::npos);
+  EXPECT_NE(wrong_unit(25000.0).find("by 0.001 if they are in micrometres"), std::string::npos);
 }
 
 }  // namespace

@@ -168,6 +168,13 @@ TEST(AssembledJoint, MetresCentimetresAndInchesGetAWarning) {
     const Joint joint =
         assemble_joint(joint_of(moved(hip.ball, Vec3::Zero(), unit), moved(hip.socket, Vec3::Zero(), unit)));
     EXPECT_TRUE(has(joint, "lengths are read as mm, scale both meshes")) << unit;
+    if (unit == 1e-3 || unit == 1e3)
+      EXPECT_EQ(test::thrown<std::runtime_error>([&] {
+                  require_mm(joint, "femur.stl");
+                }).find("femur.stl: has a radius of "),
+                0U);
+    else
+      require_mm(joint, "femur.stl");
   }
   EXPECT_TRUE(assemble_joint(joint_of(hip.ball, hip.socket)).warnings.size() < 2);
   EXPECT_FALSE(has(assemble_joint(joint_of(hip.ball, hip.socket)), "lengths"));

@@ -88,6 +88,43 @@ TEST(LimitWords, NameWhatBlocksFromTheStart) {
   EXPECT_EQ(found.front().meets(), "rim and neck");
 }
 
+TEST(LimitWords, TellOfANeckThatIsCutOff) {
+  const double radius = hip_surface(right("normal")).head_radius;
+  Hip hip = make_hip(right("normal"), 3000);
+  const Hip whole = hip;
+  std::erase_if(hip.ball.faces, [&](const Face& f) { return corner(hip.ball, f, 0).norm() > 1.5 * radius; });
+  LimitsRequest flexion;
+  flexion.motions = {"flexion"};
+  Session cut = session_of(std::move(hip), Vec3::Zero());
+  const std::optional<double> at = answer(cut, flexion).ball_cut_mm;
+  ASSERT_TRUE(at);
+  EXPECT_NEAR(*at, 1.5 * radius, 0.15 * radius);
+  Session uncut = session_of(whole, Vec3::Zero());
+  EXPECT_FALSE(answer(uncut, flexion).ball_cut_mm);
+}
+
+// Both doubts are told, each with its number.
+TEST(LimitWords, HideNoDoubtBehindAnother) {
+  LimitAnswer answer;
+  answer.ball_part = "neck";
+  answer.socket_part = "rim";
+  answer.told.limit.state = LimitState::limited;
+  answer.told.limit.low_deg = answer.told.limit.high_deg = 60.0;
+  answer.told.limit.leaves_mesh_deg = 43.06;
+  answer.told.common = {58.0, 62.0, true};
+  answer.told.half_mm_gap_deg = 30.0;
+  EXPECT_EQ(answer.what(), "rim and neck; sensitive to 0.5 mm of play; the ball's mesh ends from 43.0");
+  answer.told.common.low_deg = 40.0;
+  EXPECT_EQ(answer.told.sensitivity(), "sensitive to 0.5 mm of the centre and of play");
+  answer.told.half_mm_gap_deg.reset();
+  EXPECT_EQ(answer.told.sensitivity(), "sensitive to 0.5 mm of the centre");
+  answer.told.limit.state = LimitState::unknown;
+  answer.told.limit.low_deg = 40.0;
+  answer.told.limit.leaves_mesh_deg.reset();
+  answer.unknown_by = UnknownBy::opening;
+  EXPECT_EQ(answer.what(), "rim and neck; hangs on an opening of a mesh");
+}
+
 // The mark is where half a millimetre moves the end by more than five degrees, whatever the end is.
 TEST(LimitWords, MarkWideRanges) {
   LimitAnswer answer;
@@ -98,7 +135,7 @@ TEST(LimitWords, MarkWideRanges) {
     told.limit.state = state;
     told.limit.low_deg = told.limit.high_deg = low;
     told.common = range;
-    const bool mark = answer.what().find("; sensitive to less than 0.5 mm") != std::string::npos;
+    const bool mark = answer.what().find("; sensitive to 0.5 mm of the centre") != std::string::npos;
     EXPECT_EQ(mark, told.hangs_on_less());
     return mark;
   };

@@ -187,6 +187,17 @@ TEST_F(PoseFile, AMotionOfOpenSimTurnsAsItsHipDoes) {
 }
 
 // Rotation of 90 degrees about the long axis: the front of the thigh, forward, turns inwards.
+TEST_F(PoseFile, NamesOfOpenSimMayHeadACsv) {
+  const std::string rows = "time,hip_flexion_l,hip_adduction_l,hip_rotation_l\n0.5,90,10,30\n";
+  const PoseList list = read("a.csv", rows, Side::left);
+  EXPECT_EQ(list.kind, PoseKind::hip);
+  EXPECT_EQ(flexion(list, 0), 90.0);
+  EXPECT_EQ(abduction(list, 0), -10.0);
+  EXPECT_EQ(internal_rotation(list, 0), 30.0);
+  EXPECT_NE(refused("a.csv", rows).find("hip_flexion_l, which is the other hip; check --side"),
+            std::string::npos);
+}
+
 TEST_F(PoseFile, StatesOfOpenSimAreRadians) {
   const std::string head = "states\ninDegrees=no\nendheader\n";
   const std::string labels =

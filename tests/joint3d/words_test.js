@@ -16,7 +16,7 @@ before(async () => {
 const LIMIT = {
   motion: 'fadir', centre: 'ball', threshold_mm: 0, state: 'limited', low_deg: 53.56789, high_deg: 53.56791, clock: '1:20',
   centre_low_deg: 40.06, centre_high_deg: 60.04, play_low_deg: 39.06, play_high_deg: null,
-  half_mm_gap_deg: 50.06, hangs_on_less_than_half_mm: false, leaves_ball_mesh_deg: null, meets: 'rim and neck', what: 'rim and neck',
+  half_mm_gap_deg: 50.06, hangs_on_less_than_half_mm: false, leaves_ball_mesh_deg: null, meets: 'rim and neck', what: 'rim and neck', unknown_by: null,
 };
 
 test('ends are rounded outward', () => {
@@ -37,19 +37,21 @@ test('a limit is told with ends rounded outward, for any centre and with play', 
   assert.match(told, /^Bones first touch between 53\.5678° and 53\.5680°, at 1:20 o’clock, rim and neck \(certified: no contact is skipped\)/);
   assert.match(told, /any centre within 0\.5 mm: at 40\.0° to 60\.1°; with that much play of the ball: not before 39\.0°\./);
   assert.match(told, /falls to 0\.5 mm at 50\.0°\.$/);
-  assert.match(words.limitWords({ ...LIMIT, hangs_on_less_than_half_mm: true }), /at 50\.0°: this answer is sensitive to less than that\.$/);
+  const sensitive = { ...LIMIT, hangs_on_less_than_half_mm: true, what: 'rim and neck; sensitive to 0.5 mm of play; the ball’s mesh ends from 30.0' };
+  assert.match(words.limitWords(sensitive), /at 50\.0°\. This limit is sensitive to 0\.5 mm of play, by more than 5°\.$/);
   const without = { ...LIMIT, half_mm_gap_deg: null };
   assert.match(words.limitWords(without), /not before 39\.0°\.$/);
-  assert.match(words.limitWords({ ...without, hangs_on_less_than_half_mm: true }), /This answer is sensitive to less than 0\.5 mm\.$/);
+  assert.match(words.limitWords({ ...sensitive, half_mm_gap_deg: null }), /not before 39\.0°\. This limit is sensitive to 0\.5 mm of play, by/);
   assert.match(words.limitWords({ ...LIMIT, centre_low_deg: 0, centre_high_deg: null }), /within 0\.5 mm: not known;/);
   assert.match(words.limitWords({ ...LIMIT, state: 'free', low_deg: 119.7 }), /up to 119°/);
-  assert.match(words.limitWords({ ...LIMIT, state: 'unknown' }), /up to 53\.5° \(certified\), where surfaces graze/);
+  assert.match(words.limitWords({ ...LIMIT, state: 'unknown', unknown_by: 'graze' }), /up to 53\.5° \(certified\), where surfaces graze/);
+  assert.match(words.limitWords({ ...LIMIT, state: 'unknown', unknown_by: 'opening' }), /hangs on an opening of a mesh; nothing is known beyond/);
 });
 
 test('a limit beyond the ball’s mesh says so', () => {
   const told = words.limitWords({ ...LIMIT, leaves_ball_mesh_deg: 30.06 });
   assert.match(told, /The ball’s mesh ends under the socket from 30\.0° on: what is missing may come first\.$/);
-  const unknown = words.limitWords({ ...LIMIT, state: 'unknown', leaves_ball_mesh_deg: 53.56789 });
+  const unknown = words.limitWords({ ...LIMIT, state: 'unknown', unknown_by: 'end of ball', leaves_ball_mesh_deg: 53.56789 });
   assert.match(unknown, /up to 53\.5° \(certified\), where the motion leaves the ball’s mesh; nothing is known beyond/);
   assert.doesNotMatch(unknown, /come first/);
 });
@@ -131,14 +133,14 @@ test('measures that are refused are named, once a reason', () => {
 });
 
 test('a file of limits has a cell for every column, and quotes a name', () => {
-  const limits = [LIMIT, { ...LIMIT, centre: 'socket', state: 'free', clock: null, what: '' }, { ...LIMIT, threshold_mm: 4, half_mm_gap_deg: null, what: 'rim and head; sensitive to less than 0.5 mm' }];
+  const limits = [LIMIT, { ...LIMIT, centre: 'socket', state: 'free', clock: null, what: '' }, { ...LIMIT, threshold_mm: 4, half_mm_gap_deg: null, what: 'rim and head; sensitive to 0.5 mm of play' }];
   const [head, ...lines] = words.limitsCsv('cam, right', [{ limits }]).trim().split('\n');
-  assert.equal(head.split(',').length, 12);
-  assert.equal(lines[0], '"cam, right",fadir,0,ball,limited,53.56789,53.56791,40.06,60.04,50.06,1:20,rim and neck');
-  assert.equal(lines[1], '"cam, right",fadir,0,socket,free,53.56789,53.56791,40.06,60.04,50.06,,');
+  assert.equal(head.split(',').length, 15);
+  assert.equal(lines[0], '"cam, right",fadir,0,ball,limited,53.56789,53.56791,40.06,60.04,50.06,1:20,rim and neck,39.06,,no');
+  assert.equal(lines[1], '"cam, right",fadir,0,socket,free,53.56789,53.56791,40.06,60.04,50.06,,,39.06,,no');
   const shifted = words.limitsCsv('cam', [{ limits: [limits[2]] }], 'ball shifted by 0.0, 1.0, 0.0 mm').split('\n');
-  assert.match(shifted[1], /^cam,.*,"ball shifted by 0.0, 1.0, 0.0 mm; rim and head; sensitive to less than 0.5 mm"$/);
-  assert.equal(lines[2], '"cam, right",fadir,4,ball,limited,53.56789,53.56791,40.06,60.04,,1:20,rim and head; sensitive to less than 0.5 mm');
+  assert.match(shifted[1], /^cam,.*,"ball shifted by 0.0, 1.0, 0.0 mm; rim and head; sensitive to 0.5 mm of play",39\.06,,no$/);
+  assert.equal(lines[2], '"cam, right",fadir,4,ball,limited,53.56789,53.56791,40.06,60.04,,1:20,rim and head; sensitive to 0.5 mm of play,39.06,,no');
 });
 
 test('a state comes back from its fragment, with the camera, and nonsense is left out', async () => {

@@ -97,7 +97,7 @@ def test_limits_of_the_page(page, floats, tmp_path):
     """The CSV that the page saves, row by row."""
     asked(floats, tmp_path, "limits", "--cartilage", "4")
     theirs, mine = table(tmp_path, "limits.csv"), rows_of(page["limits"])
-    same = ("joint", "motion", "threshold_mm", "centre", "state", "clock", "what")
+    same = ("joint", "motion", "threshold_mm", "centre", "state", "clock", "what", "hangs_on_less_than_half_mm")
     assert list(mine[0]) == list(theirs[0]) and texts(mine, *same) == texts(theirs, *same)
     assert sum(bool(row["clock"]) and row["what"].startswith("rim and neck") for row in mine) > 20
     for one, other in zip(mine, theirs):
@@ -105,7 +105,7 @@ def test_limits_of_the_page(page, floats, tmp_path):
         low, high = (number(one[key]) for key in ("low_deg", "high_deg"))
         assert low <= number(other["high_deg"]) + SMALL and number(other["low_deg"]) <= high + SMALL, one
         assert one["state"] != "limited" or high - low < 1e-6, one
-        for key, most in (("centre_low_deg", FINEST), ("centre_high_deg", 1e-6), ("half_mm_gap_deg", 1e-6)):
+        for key, most in (("centre_low_deg", FINEST), ("centre_high_deg", 1e-6), ("play_low_deg", FINEST), ("play_high_deg", 1e-6), ("half_mm_gap_deg", 1e-6)):
             assert number(one[key]) == pytest.approx(number(other[key]), abs=most), (one, key)
 
 

@@ -5,7 +5,8 @@ import { motionLabel } from "./names.js";
 
 const WAIT = 350; // ms of rest before they are worked out again
 const COLUMNS = [["ball", false], ["socket", false], ["ball", true]]; // about whose centre, and with cartilage
-const CSV = ["joint", "motion", "threshold_mm", "centre", "state", "low_deg", "high_deg", "centre_low_deg", "centre_high_deg", "half_mm_gap_deg", "clock", "what"];
+const CSV = ["joint", "motion", "threshold_mm", "centre", "state", "low_deg", "high_deg", "centre_low_deg", "centre_high_deg", "half_mm_gap_deg", "clock", "what", "play_low_deg",
+  "play_high_deg", "hangs_on_less_than_half_mm"];
 
 /** One limit, short, and in full where a reader points at it. */
 function shortly({ state, low_deg: low, high_deg: high, clock, what }) {
@@ -23,7 +24,8 @@ function shortly({ state, low_deg: low, high_deg: high, clock, what }) {
 export function limitsCsv(joint, rows, shift = "") {
   const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const lines = rows.flatMap(({ limits }) => limits.map((limit) => {
-    const cells = { ...limit, joint: quoted(joint), what: quoted([shift, limit.what].filter(Boolean).join("; ")) };
+    const hangs = limit.hangs_on_less_than_half_mm ? "yes" : "no";
+    const cells = { ...limit, hangs_on_less_than_half_mm: hangs, joint: quoted(joint), what: quoted([shift, limit.what].filter(Boolean).join("; ")) };
     return CSV.map((column) => cells[column] ?? "").join();
   }));
   return [CSV.join(), ...lines, ""].join("\n");

@@ -29,13 +29,20 @@ function ofOtherCentres(limit) {
   return ` With any centre within ${WITHIN} mm: ${centre}; with that much play of the ball: ${play}.`;
 }
 
-function halfMillimetre({ half_mm_gap_deg: half, hangs_on_less_than_half_mm: hangs }) {
-  if (half === null) return hangs ? ` This answer is sensitive to less than ${WITHIN} mm.` : "";
-  return ` The gap falls to ${WITHIN} mm at ${roundedDown(half, 1)}°${hangs ? ": this answer is sensitive to less than that" : ""}.`;
+function halfMillimetre({ half_mm_gap_deg: half, what }) {
+  const gap = half === null ? "" : ` The gap falls to ${WITHIN} mm at ${roundedDown(half, 1)}°.`;
+  const [sensitive] = what.match(/sensitive to [^;]*/) ?? [];
+  return sensitive ? `${gap} This limit is ${sensitive}, by more than 5°.` : gap;
 }
 
-function unknownBeyond({ low_deg: low, leaves_ball_mesh_deg: leaves }) {
-  const where = leaves !== null && leaves <= low ? "where the motion leaves the ball’s mesh" : "where surfaces graze";
+const UNKNOWN = {
+  "end of ball": "where the motion leaves the ball’s mesh",
+  graze: "where surfaces graze",
+  opening: "where whether one bone is inside the other hangs on an opening of a mesh",
+};
+
+function unknownBeyond({ low_deg: low, unknown_by: by }) {
+  const where = UNKNOWN[by];
   return `up to ${roundedDown(low, 1)}° (certified), ${where}; nothing is known beyond`;
 }
 

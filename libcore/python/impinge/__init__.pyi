@@ -189,7 +189,7 @@ class Motion(TypedDict):
     internal_rotation: float  # of the front towards the midline; external is negative (deg)
 
 class Limit(TypedDict):
-    motion: str  # what grows
+    motion: str  # what grows: fadir is internal rotation from 90 of flexion and 15 of adduction, faber external rotation from 45 of flexion and 30 of abduction, _at_90 from 90 of flexion
     threshold_mm: float  # 0: contact of the surfaces; else the gap of a vertex (mm)
     centre: str  # about whose centre the ball turns: ball or socket
     state: Literal["limited", "free", "blocked", "unknown"]  # limited; free up to the largest angle; blocked from the start; unknown beyond low_deg
@@ -200,24 +200,26 @@ class Limit(TypedDict):
     half_mm_gap_deg: float | None  # where the gap of a vertex first falls to 0.5 mm (deg)
     clock: str | None  # where on the rim's clock they touch
     what: str  # what meets what, and what a reader must know
-    start: Motion  # pose that the motion begins at
-    largest_deg: float  # growth that was looked at (deg)
-    centre_of_rotation: list[float]  # x, y, z in the frame of the meshes (mm)
     play_low_deg: float  # free up to here for every play of the ball up to 0.5 mm (deg)
     play_high_deg: float | None  # not free here for any such play; null where that is not known (deg)
     hangs_on_less_than_half_mm: bool  # does half a millimetre change it by more than 5 degrees?
+    start: Motion  # pose that the motion begins at
+    largest_deg: float  # growth that was looked at (deg)
+    centre_of_rotation: list[float]  # x, y, z in the frame of the meshes (mm)
     leaves_ball_mesh_deg: float | None  # from here on the ball's mesh ends under the socket (deg)
     ball_part: str | None  # what of the ball's bone touches; null without a contact
     socket_part: str | None  # what of the socket's bone touches
     meets: str | None  # what meets what, as rim and neck
     position: list[float] | None  # x, y, z where they touch, frame of the meshes (mm)
     contact: Literal["ball vertex", "socket vertex", "edges", "rims"] | None  # how they touch
+    unknown_by: Literal["opening", "end of ball", "graze"] | None  # why nothing is known beyond low_deg: only an opening of a mesh could tell whether one bone is inside the other, the ball's mesh ends, or surfaces graze; null elsewhere
 
 class LimitsAnswer(TypedDict):
     centre_within_mm: float  # how far off centres and play may be in the ranges (mm)
     rim: bool  # of the rim alone? Else of all bone
     rim_in_head_mm: float | None  # of the rim alone: how deep the rim lies in the head as scanned; there it meets the neck late or never. Null: nowhere (mm)
     limits: list[Limit]  # of each motion: contact about both centres, and the gap of the cartilage
+    ball_cut_mm: float | None  # how far from the centre the ball's bone is cut off through its neck: what is missing beyond stops no motion, so that limits may be too large. Null: it is not (mm)
 
 class VolumeAnswerMotion(TypedDict):
     motion: str  # its name (hip/named_motion.hpp)
