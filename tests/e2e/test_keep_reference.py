@@ -174,15 +174,18 @@ class Kept(unittest.TestCase):
     def test_counts_of_the_readme(self):
         with (ROOT / "results" / "reference" / "verdicts.csv").open(newline="") as file:
             found = collections.Counter(row["verdict"] for row in csv.DictReader(file) if not row["rule"].startswith(NOT_COUNTED))
-        counts = [found[verdict] for verdict in ("reproduced", "differs", "thesis-misprint")]
-        said = r"of the (\d+) numbers [^.]*? could compare, (\d+) are reproduced, (\d+) differ and (\d+) (?:is a misprint|are misprints)"
+        counts = [found[verdict] for verdict in ("reproduced", "differs", "thesis-misprint", "inconclusive")]
+        said = r"of the (\d+) numbers [^.]*? could compare, (\d+) are reproduced, (\d+) differ, (\d+) are misprints and (\d+) are inconclusive"
         words = re.search(said, readme())
         self.assertEqual([int(word) for word in words.groups()], [sum(counts), *counts])
 
     def test_earlier_run_agrees(self):
-        """No number reproduced in one full run differs in the other, by the same rule."""
-        kept = ROOT / "results" / "reference"
-        changed = compare.changed_verdicts(compare.Run(kept / "earlier"), compare.Run(kept))
+        """No measured number that is reproduced in one full run differs in the other, by the same rule. (What follows from formulas hangs on no machine.)"""
+        kept = compare.Run(ROOT / "results" / "reference")
+        earlier = compare.Run(kept.folder / "earlier")
+        kept.verdicts = {key: row for key, row in kept.verdicts.items() if row["kind"] == "measured"}
+        changed = compare.changed_verdicts(earlier, kept)
+        self.assertGreater(len(kept.verdicts), 50)
         self.assertEqual([line for line in changed if re.search("reproduced -> differs|differs -> reproduced", line)], [])
 
     def test_cohort_of_the_readme(self):
