@@ -116,8 +116,7 @@ std::string never_decided(const SessionJoint& joint, const BodyPairs& bodies) {
   const auto pair = bodies.without_inside();
   if (!pair) return {};
   const auto named = [](const JointPart& of, std::size_t body, const char* bone) {
-    const std::string part = body_name(of.parts, body);
-    return part.empty() ? std::string(bone) : part;
+    return body_name(of.parts, body).value_or(bone);
   };
   return "openings leave it open what is inside of " +
          named(joint.joint.ball, pair->ball, "the ball's bone") + " and of " +
