@@ -23,8 +23,8 @@ from verdicts import verdict
 
 SHOWN = "thousand"  # the panel of the main plot: all gaps of 1,000 poses
 COMPARED = ("reproduced", "differs", "inconclusive", "thesis-misprint")
-KINDS = {"computed": "{} that follow from formulas {} are reproduced", "measured": "{} that are measured {}"}
-WORDS = {"holds": "{} hold", "imprecise": "{} are imprecise", "misprint": "{} are misprints", "wrong": "{} are wrong", "inconclusive": "{} are undecided"}
+KINDS = {"computed": "{} from formulas {} are reproduced", "measured": "{} measured {}"}
+WORDS = {"holds": "{} hold", "imprecise": "{} are imprecise", "misprint": "{} misprints", "wrong": "{} wrong", "inconclusive": "{} undecided"}
 TITLES = {"artefact": "where", "measured": "this run", "note": "why", "claim": "the statement", "computed": "what came out"}
 
 
@@ -121,7 +121,7 @@ def turning(results: Path) -> str:
         "p",
         f"{ours.motions} limits of motion of {html.escape(ours.joint)} ({int(ours.faces):,} faces) take"
         f" {common.digits(ours.total_ms, 2)} ms, from meshes, and miss no contact; {missing}."
-        f" Limits known in closed form are met within {common.digits_up(error, 2)}°. " + element("a", "By method", href="#limit-time") + ".",
+        f" Closed forms are met within {common.digits_up(error, 2)}°. " + element("a", "By method", href="#limit-time") + ".",
     )
 
 
