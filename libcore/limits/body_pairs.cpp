@@ -438,7 +438,8 @@ bool BodyPairs::may_hold(const Body& ball, const Body& socket, const NearPoses& 
          ball.holds_of(socket, farthest(socket), back) != Contact::no;
 }
 
-// Two bodies that are asked about. `left` has the pair's place; edge-on faces that radii leave open have none.
+// Two bodies that are asked about. `left` has the pair's place; edge-on faces that radii leave open have
+// none.
 struct BodyPairs::Asking {
   const Body& ball;
   const Body& socket;
