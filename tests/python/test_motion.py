@@ -57,7 +57,7 @@ def test_a_ball_in_a_wider_cup_turns_freely():
     joint = impinge.Joint.from_arrays(sphere(20.0), sphere(25.0, open_above=10.0), centre=(0, 0, 0))
     found = joint.volume()
     assert found["share_low"] > 1 - 1e-8 and found["reachable_low"] > 1 - 1e-8 and found["open"] == found["unknown"] == 0
-    blocked = joint.volume(gap_mm=5.2)  # more than the radii leave
+    blocked = joint.volume(gap_mm=5.2, width=0.001)  # more than the radii leave
     assert blocked["share_high"] < 1e-8 and blocked["neutral_blocked"] and blocked["motions"] == []
 
 
