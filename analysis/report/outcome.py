@@ -90,7 +90,7 @@ def speed(own: pd.DataFrame, scene: str) -> str:
         return own[own.line.isin(lines)].nsmallest(1, SHOWN).iloc[0]
 
     chosen = {
-        "our exact cells (measured on the triangles)": best("exact cells"),
+        "our exact cells": best("exact cells"),
         "Embree's rays": best("Embree"),
         "the thesis' tables (radii on a grid of angles, RSID, or along a helix, USID)": best(*work_precision.THESIS),
     }
