@@ -12,7 +12,7 @@ export class ApartPanel {
     byId(id).addEventListener("toggle", () => this.begin());
     this.bar = make("progress", { max: 1, "aria-label": "How far it is" });
     this.words = make("span", { className: "soft" });
-    this.button = make("button", { type: "button", id: `${id}-cancel`, textContent: "Cancel", onclick: () => (this.asked ? this.cancel() : this.begin()) });
+    this.button = make("button", { type: "button", id: `${id}-cancel`, textContent: "Cancel", onclick: () => (this.client ? this.cancel() : this.again(true)) });
     this.row = make("p", { className: "row working", hidden: true }, this.bar, this.words, this.button);
     byId(`${id}-say`).after(this.row);
   }
@@ -51,8 +51,10 @@ export class ApartPanel {
     Object.assign(this, { client: null, asked: null });
   }
 
+  /** Until its button is pressed or another question asked: the same question, or opening the panel, does not begin it again. */
   cancel() {
-    this.stop();
+    this.client.worker.terminate();
+    this.client = null;
     this.work(false);
     this.row.hidden = false;
     this.bar.hidden = true;
