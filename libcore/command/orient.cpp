@@ -56,6 +56,7 @@ std::string screen_text(const OrientAnswer& found, double tilt_deg) {
                    map.least_anteversion_deg, map.least_anteversion_deg + map.width_deg) +
          formatted("free                %.1f to %.1f of %.0f square degrees, %.1f unknown\n", area.free,
                    area.free + area.open, map.width_deg * map.width_deg, area.unknown) +
+         (found.by_radii && area.blocked > 0.0 ? std::string(kBlockedByRadii) + "\n" : "") +
          std::string(kNoGuide) + "\n";
 }
 

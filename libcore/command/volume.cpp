@@ -135,10 +135,7 @@ std::string words_of_volume(const VolumeAnswer& found, double width, const std::
       "\nmobility            %.2f to %.2f million degrees^3 of 14.85, weighted by the cosine\n"
       "                    of bones alone: ligaments and muscles forbid most of what bones allow",
       1e-6 * found.mobility_low_deg3(), 1e-6 * found.mobility_high_deg3());
-  if (found.by_radii && shares.high() < 1.0)
-    text +=
-        "\nblocked             by radii, too: where the ball reaches beyond the socket, which is a sheet, "
-        "though no surfaces meet; limits may go further";
+  if (found.by_radii && shares.high() < 1.0) text += "\n" + std::string(kBlockedByRadii);
   if (found.neutral_blocked()) return text + "\nreachable           none: the pose of the scan is blocked\n";
   text += formatted("\nreachable           %.2f to %.2f %% from the pose of the scan without contact\n",
                     100.0 * shares.reached(), 100.0 * shares.within_reach());

@@ -93,37 +93,50 @@ struct Varied {
   double MeasureChoices::*choice;
   double low;
   double high;
+  const char* words;
 };
 constexpr double kLeastShare = 0.005;
+constexpr const char* kSphere = "which points make the sphere";
 
 // Where the head ends is varied by how far the head itself is off its sphere.
 std::array<Varied, 5> of_femur(const SphereFit& head) {
   const double off = std::max(kLeastShare, 2.0 * head.rms / head.radius);
-  return {Varied{&MeasureChoices::trim, 0.04, 0.08}, Varied{&MeasureChoices::neck_section, 1.3, 1.4},
-          Varied{&MeasureChoices::alpha_share, std::max(kLeastShare, kAlphaShare - off), kAlphaShare + off},
-          Varied{&MeasureChoices::alpha_window, 0.15, 0.45},
-          Varied{&MeasureChoices::shaft_share, 0.25, 0.45}};
+  return {Varied{&MeasureChoices::trim, 0.04, 0.08, kSphere},
+          Varied{&MeasureChoices::neck_section, 1.3, 1.4, "where the neck is cut"},
+          Varied{&MeasureChoices::alpha_share, std::max(kLeastShare, kAlphaShare - off), kAlphaShare + off,
+                 "how far off its sphere the head ends"},
+          Varied{&MeasureChoices::alpha_window, 0.15, 0.45, "how wide about the position"},
+          Varied{&MeasureChoices::shaft_share, 0.25, 0.45, "how much is taken for shaft"}};
 }
 constexpr std::array kOfSocket{
-    Varied{&MeasureChoices::trim, 0.04, 0.08}, Varied{&MeasureChoices::rim_band, 0.1, 0.2},
-    Varied{&MeasureChoices::first_meridian, 0.33, 0.67}, Varied{&MeasureChoices::plane_tolerance, 0.5, 2.0}};
+    Varied{&MeasureChoices::trim, 0.04, 0.08, kSphere},
+    Varied{&MeasureChoices::rim_band, 0.1, 0.2, "how far off its sphere the rim may be"},
+    Varied{&MeasureChoices::first_meridian, 0.33, 0.67, "on which meridians the rim is sought"},
+    Varied{&MeasureChoices::plane_tolerance, 0.5, 2.0, "which points of the rim make its plane"}};
 
 double most_of(const std::string& unit) { return unit == "deg" ? 10.0 : unit == "mm" ? 2.0 : 0.1; }
 
-Measure judged(const Named& named, double value, const std::vector<double>& others) {
+// others: with each choice varied, two of a kind.
+Measure judged(const Named& named, double value, const std::vector<double>& others,
+               std::span<const Varied> choices) {
   if (std::isnan(value))
     return {named.name, std::nullopt, std::nullopt, named.unit, "refused: " + named.missing};
   double moved = 0.0;
-  for (const double other : others) {
-    if (std::isnan(other))
+  double most = value;
+  const char* by = "";
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    if (std::isnan(others[k]))
       return {named.name, std::nullopt, std::nullopt, named.unit,
-              "refused: with slightly different settings it is not found"};
-    moved = std::max(moved, std::abs(other - value));
+              std::string("refused: found or not, depending on ") + choices[k / 2].words};
+    if (std::abs(others[k] - value) <= moved) continue;
+    moved = std::abs(others[k] - value);
+    most = others[k];
+    by = choices[k / 2].words;
   }
   if (moved > most_of(named.unit)) {
-    return {
-        named.name, std::nullopt, moved, named.unit,
-        "refused: with slightly different settings it changes by " + formatted("%.2g ", moved) + named.unit};
+    const auto [low, high] = std::minmax(value, most);
+    return {named.name, std::nullopt, moved, named.unit,
+            "refused: " + formatted("%.3g to %.3g ", low, high) + named.unit + ", depending on " + by};
   }
   return {named.name, value, moved, named.unit, "measured"};
 }
@@ -152,7 +165,7 @@ void add_measures(const std::vector<Named>& names, std::span<const Varied> choic
     std::vector<double> other;
     other.reserve(others.size());
     for (const Values& values : others) other.push_back(values.refused.empty() ? values.all[k] : kNotThere);
-    measures.push_back(judged(names[k], usual.all[k], other));
+    measures.push_back(judged(names[k], usual.all[k], other, choices));
     Measure& last = measures.back();
     if (usual.at_end && last.value && last.name != "socket_radius")
       last.state = "measured to the end of the mesh";

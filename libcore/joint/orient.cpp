@@ -8,7 +8,6 @@
 
 #include "hip/measure_list.hpp"
 #include "joint/measures.hpp"
-#include "joint/volume.hpp"
 
 namespace impinge {
 namespace {
@@ -61,13 +60,15 @@ OrientAnswer answer(Session& session, const OrientRequest& request) {
                                      .at_rest = now,
                                      .tilt_deg = request.tilt_deg,
                                      .resolution_deg = request.resolution_deg};
+  const CellTest test = cell_test(joint, joint.mesh(Surface::socket));
   OrientAnswer found{
       .as_scanned = now,
       .nearest_free = {},
       .map = {question.least.inclination_deg, question.least.anteversion_deg, question.width_deg},
       .area_deg2 = {},
+      .by_radii = test.bodies().radial() != nullptr,
       .legs = {},
-      .cells = orientation_map(cell_test(joint, joint.mesh(Surface::socket)), question)};
+      .cells = orientation_map(test, question)};
   found.map.squares = found.cells.size();
   found.nearest_free = nearest_free(joint, question, found.cells);
   for (const RequiredLeg& leg : question.legs) found.legs.push_back(describe(leg));

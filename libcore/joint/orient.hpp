@@ -13,6 +13,7 @@
 #include "files/fields.hpp"
 #include "joint/required_motions.hpp"
 #include "joint/session.hpp"
+#include "joint/volume.hpp"
 
 namespace impinge {
 
@@ -124,6 +125,7 @@ struct OrientAnswer {
   std::optional<NearestFree> nearest_free;  // none if no square of the map is proven free
   MapExtent map;
   MapAreas area_deg2;
+  bool by_radii = false;
   std::vector<std::string> legs;
   std::vector<OrientationCell> cells;  // squares of the map; their legs are indices into `legs`
 
@@ -136,6 +138,7 @@ struct OrientAnswer {
             &OrientAnswer::nearest_free},
       Field{"map", "", "which angles were looked at", &OrientAnswer::map},
       Field{"area_deg2", "deg^2", "of the map in each state", &OrientAnswer::area_deg2},
+      Field{"by_radii", "", kByRadii, &OrientAnswer::by_radii},
       Field{"legs", "", "parts of the required paths, in words", &OrientAnswer::legs}};
 };
 

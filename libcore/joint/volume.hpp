@@ -62,6 +62,13 @@ struct VolumeMotion {
 /// a share of it is the same for all choices of axes (Manafzadeh and Gatesy 2020, doi:10.1242/jeb.227108).
 inline constexpr double kAllRotationsDeg3 = 360.0 * 360.0 * 360.0 / kPi;
 
+/// Of answers that rest on cells (rotations/cell_test.hpp), and in words.
+inline constexpr const char* kByRadii =
+    "does radial overlap block, too, as the socket is a sheet? `limits` may then go further";
+inline constexpr std::string_view kBlockedByRadii =
+    "blocked             by radii, too: where the ball reaches beyond the socket, which is a sheet, "
+    "though no surfaces meet; limits may go further";
+
 struct VolumeAnswer {
   std::vector<VolumeMotion> motions;
   bool by_radii = false;
@@ -86,9 +93,7 @@ struct VolumeAnswer {
             via(&VolumeAnswer::shares, &VolumeShares::reached)},
       Field{"reachable_high", "1", "at most", via(&VolumeAnswer::shares, &VolumeShares::within_reach)},
       Field{"neutral_blocked", "", "is the pose of the scan blocked?", &VolumeAnswer::neutral_blocked},
-      Field{"by_radii", "",
-            "does radial overlap block, too, as the socket is a sheet? `limits` may then go further",
-            &VolumeAnswer::by_radii},
+      Field{"by_radii", "", kByRadii, &VolumeAnswer::by_radii},
       Field{"unknown", "1", "share of which nothing is known: the ball's mesh ends there",
             via(&VolumeAnswer::shares, &VolumeShares::unknown)},
       Field{"open", "1", "share that is undecided", via(&VolumeAnswer::shares, &VolumeShares::open)},

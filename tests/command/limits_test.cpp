@@ -10,6 +10,8 @@
 #include "limits/told_limit.hpp"
 #include "mesh/generated_pair.hpp"
 #include "support/command_line.hpp"
+#include "support/opened.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace impinge {
 namespace {
@@ -154,6 +156,15 @@ TEST(LimitsCommand, IsToldOutward) {
             std::string::npos);
   limit.state = LimitState::free;
   EXPECT_NE(describe(found).find("none up to 53.5 degrees,"), std::string::npos);
+}
+
+TEST(LimitsCommand, NamesAnOpeningAsTheReasonThatNothingIsKnown) {
+  const test::TemporaryFolder folder;
+  const std::string joint = test::speck_in_flask(folder.path(), 0.8);
+  const Json limit = test::document_of("limits" + joint + " --motions flexion")["answer"]["limits"][0];
+  EXPECT_EQ(limit["state"], "unknown");
+  EXPECT_EQ(limit["low_deg"], 0.0);
+  EXPECT_EQ(limit["unknown_by"], "opening");
 }
 
 TEST(LimitsCommand, TableHasBothCentresAndBothRanges) {

@@ -23,6 +23,7 @@
 #include "mesh/io.hpp"
 #include "rotations/rotation_cells.hpp"
 #include "support/command_line.hpp"
+#include "support/opened.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace impinge {
@@ -120,6 +121,16 @@ TEST(VolumeMobility, IsThatOfEulerAnglesAboutWhateverAxes) {
   constexpr double kSpread = 5.0 * 360.0 * 180.0 * 360.0 * 0.5 / 100.0;
   EXPECT_GT(sum / kSystems, found.mobility_low_deg3() - kSpread);
   EXPECT_LT(sum / kSystems, found.mobility_high_deg3() + kSpread);
+}
+
+TEST(VolumeOfOpenBones, SaysWhichHaveNoInside) {
+  const test::TemporaryFolder folder;
+  const auto log = [&](double mouth) {
+    return test::run("volume" + test::speck_in_flask(folder.path(), mouth) + " --width 0.9").log;
+  };
+  const std::string said = "openings leave it open what is inside of speck and of flask: ";
+  EXPECT_NE(log(1.5).find(said), std::string::npos) << log(1.5);
+  EXPECT_EQ(log(0.1).find(said), std::string::npos) << "a flask has an inside";
 }
 
 TEST_F(VolumeCommand, GoesOnWhereItWasInterrupted) {

@@ -35,6 +35,7 @@ TEST(Orient, TurnsTheSocketThatMeasureHasIntoAFreeOne) {
   EXPECT_NEAR(found.as_scanned.inclination_deg, measured(session, "inclination").value.value(), 1e-9);
   EXPECT_EQ(found.as_scanned.angles, measured(session, "version").state);
   ASSERT_NE(found.as_scanned.state, CellState::free);
+  EXPECT_TRUE(found.by_radii);  // the hip's socket is a sheet
   const NearestFree& nearest = found.nearest_free.value();
   EXPECT_GT(nearest.turn_deg, 1.0);
   EXPECT_LE(nearest.at_least_deg, nearest.turn_deg);

@@ -18,6 +18,7 @@
 #include "mesh/icosphere.hpp"
 #include "support/dice.hpp"
 #include "support/joined.hpp"
+#include "support/opened.hpp"
 #include "support/random_cases.hpp"
 #include "support/turned.hpp"
 
@@ -29,17 +30,8 @@ constexpr double kFlaskRadius = 8.0;  // of it
 constexpr double kNeedle = 6.0;       // of a needle
 constexpr double kBefore = 40.0;      // degrees that it is before the flask
 
-// Without the faces within an angle, radians, of a direction.
-TriangleMesh opened(TriangleMesh mesh, const Vec3& towards, double angle) {
-  std::erase_if(mesh.faces, [&](const Face& face) {
-    const auto [a, b, c] = corners_of(mesh, face);
-    return (a + b + c).normalized().dot(towards) > std::cos(angle);
-  });
-  return mesh;
-}
-
 TriangleMesh flask(const Vec3& towards, double angle) {
-  return test::moved(opened(icosphere(kFlaskRadius, 4), towards, angle), {kFlaskAt, 0, 0});
+  return test::moved(test::opened(icosphere(kFlaskRadius, 4), towards, angle), {kFlaskAt, 0, 0});
 }
 
 // Along its way, whose direction is +y in the middle of the flask.
