@@ -18,14 +18,14 @@ namespace {
 
 // A joint, and the overlay that tests it.
 struct CulledFaces {
-  explicit CulledFaces(const BallSocketPair& pair) : joint(pair), overlay(joint) {}
+  explicit CulledFaces(const BallSocketPair& pair) : joint(pair), overlay(pair) {}
   CulledJoint joint;
   CulledOverlay overlay;
 };
 
 Touch touch_of_faces(const BallSocketPair& pair) {
   return [culled = std::make_shared<CulledFaces>(pair)](const Pose& pose) {
-    return culled->overlay.impinged(pose);
+    return culled->overlay.impinged(pose, culled->joint);
   };
 }
 

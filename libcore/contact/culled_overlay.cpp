@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/culled_overlay.hpp"
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
 #include "contact/touch_search.hpp"
+#include "files/thread_team.hpp"
 #include "gap/face_overlay.hpp"
 #include "sphere/orientation.hpp"
 
@@ -59,11 +61,8 @@ CulledOverlay::Faces CulledOverlay::faces_of(const TriangleMesh& mesh) {
   return found;
 }
 
-CulledOverlay::CulledOverlay(const CulledJoint& joint)
-    : joint_(joint), surfaces_{faces_of(joint.meshes().ball), faces_of(joint.meshes().socket)} {}
-
-const TriangleMesh& CulledOverlay::moved(std::size_t scan) const {
-  return scan == 0 ? joint_.meshes().ball : joint_.meshes().socket;
+CulledOverlay::CulledOverlay(const BallSocketPair& joint) : joint_(joint) {
+  on_threads(surfaces_.size(), [this](std::size_t k) { surfaces_[k] = faces_of(moved(k)); });
 }
 
 bool CulledOverlay::reaches_any(std::size_t scan, const CapMove& move, const Face& face) const {
@@ -82,13 +81,25 @@ bool CulledOverlay::reaches_any(std::size_t scan, const CapMove& move, const Fac
 }
 
 bool CulledOverlay::impinged(const Pose& pose) const {
-  const std::array<CulledScan, 2>& scans = joint_.scans();
+  std::atomic<bool> found = false;
+  on_threads(surfaces_.size(), [&](std::size_t scan) {
+    const CapMove move(scan == 0 ? Surface::ball : Surface::socket, pose);
+    for (const Face& face : surfaces_[scan].faces) {
+      if (found) return;
+      if (reaches_any(scan, move, face)) found = true;
+    }
+  });
+  return found;
+}
+
+bool CulledOverlay::impinged(const Pose& pose, const CulledJoint& limits) const {
+  const std::array<CulledScan, 2>& scans = limits.scans();
   const PosedTrees posed{PosedTree{surfaces_[0].tree, scans[0].limits(), CapMove(Surface::ball, pose)},
                          PosedTree{surfaces_[1].tree, scans[1].limits(), CapMove(Surface::socket, pose)}};
   const auto touches = [&](const ScannedItem& at) {
     return reaches_any(at.scan, posed[at.scan].move, surfaces_[at.scan].faces[at.item]);
   };
-  return joint_.impinged(pose) || touching_item(posed, touches);
+  return limits.impinged(pose) || touching_item(posed, touches);
 }
 
 std::size_t CulledOverlay::bytes() const {

@@ -2,14 +2,16 @@
 // Decides whether the surfaces of ball and socket impinge, edges included, without testing most faces. In
 // every pose the answer is the same as by SurfaceOverlay::impinged() (gap/overlay.hpp): Theorem 8 (caps).
 //
-// A face is an item like a vertex: the bounds of contact/gap_bounds.hpp hold for every point of it, also if
-// the pose makes it edge-on. A face whose cap is clear reaches no face. The others are compared exactly with
-// the faces that share a direction with them.
+// Each face is compared exactly with the faces that share a direction with it, which a tree of caps finds.
+// Where many poses are asked about, most faces are left out: a face is an item like a vertex, and the bounds
+// of contact/gap_bounds.hpp hold for every point of it, also if the pose makes it edge-on. A face whose cap
+// is clear reaches no face.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "contact/culled_joint.hpp"
@@ -19,29 +21,31 @@ namespace impinge {
 
 class CulledOverlay {
  public:
-  /// The joint must outlive this. O(faces).
-  explicit CulledOverlay(const CulledJoint& joint);
-  explicit CulledOverlay(const CulledJoint&&) = delete;
+  /// Takes the meshes in their centre frames, mm; they must outlive this. O(faces).
+  explicit CulledOverlay(const BallSocketPair& joint);
+  explicit CulledOverlay(const BallSocketPair&&) = delete;
 
-  /// Is the pose impinged? Exact.
+  /// Is the pose impinged? Exact. Looks at every face, on two threads: for a few poses.
   bool impinged(const Pose& pose) const;
+  /// The same from the limits of a joint of the same meshes, which leave out most faces: for many poses.
+  bool impinged(const Pose& pose, const CulledJoint& limits) const;
 
-  std::size_t bytes() const;  // of memory, without the joint
+  std::size_t bytes() const;  // of memory, without the meshes
 
  private:
   /// The faces of a surface that are not edge-on, in the order of their tree.
   struct Faces {
-    CapTree tree;
+    CapTree tree{std::span<const CapItem>()};
     std::vector<Face> faces;
     std::vector<int> sides;  // orientations
   };
   static Faces faces_of(const TriangleMesh& mesh);
   bool reaches_any(std::size_t scan, const CapMove& move, const Face& face) const;
   /// The surface whose faces a scan moves, and the surface that it does not move.
-  const TriangleMesh& moved(std::size_t scan) const;
+  const TriangleMesh& moved(std::size_t scan) const { return scan == 0 ? joint_.ball : joint_.socket; }
   const TriangleMesh& at_rest(std::size_t scan) const { return moved(1 - scan); }
 
-  const CulledJoint& joint_;
+  const BallSocketPair& joint_;
   std::array<Faces, 2> surfaces_;  // ball and socket
 };
 

@@ -2,9 +2,11 @@
 #include "contact/euclidean_distance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "contact/part_distance.hpp"
 #include "mesh/lengths.hpp"
@@ -29,23 +31,51 @@ double enough_distance(const Vec3& x, const TurnFace& face) {
   return std::min(sides, (x - a - of_b * (b - a) - of_c * (c - a)).norm());
 }
 
-// The functions that Eigen's search calls.
-// NOLINTBEGIN(readability-identifier-naming): Eigen's names
-struct NearestFace {
-  using Scalar = double;
-  double minimumOnVolume(const Box& box) const { return box.exteriorDistance(x); }
-  double minimumOnObject(int at) {
-    const TurnFace& face = faces[static_cast<std::size_t>(at)];
-    const double least = least_distance(x, face);
-    upper = std::min(upper, face.thin ? enough_distance(x, face) : least);
-    return least;
+using Tree = Eigen::KdBVH<double, 3, int>;
+
+// The face nearest to a point. Eigen's own search starts from nothing, and keeps a queue.
+class NearestFace {
+ public:
+  NearestFace(const Vec3& x, const std::vector<TurnFace>& faces, const Tree& tree)
+      : x_(x), faces_(faces), tree_(tree) {}
+
+  void look_at(int face) {
+    const TurnFace& at = faces_[static_cast<std::size_t>(face)];
+    const double least = least_distance(x_, at);
+    upper_ = std::min(upper_, at.thin ? enough_distance(x_, at) : least);
+    if (least >= lower_) return;
+    lower_ = least;
+    face_ = face;
   }
 
-  const Vec3& x;
-  const std::vector<TurnFace>& faces;
-  double upper = kInfinity;
+  // The nearer child first; leaves out boxes no nearer than the nearest face so far.
+  void search(int node) {
+    Tree::VolumeIterator box{}, last_box{};
+    Tree::ObjectIterator face{}, last_face{};
+    tree_.getChildren(node, box, last_box, face, last_face);
+    for (; face != last_face; ++face) look_at(*face);
+    if (box == last_box) return;
+    std::array<std::pair<double, int>, 2> children;
+    std::size_t count = 0;
+    for (; box != last_box; ++box)
+      children[count++] = {tree_.getVolume(*box).squaredExteriorDistance(x_), *box};
+    if (count == 2 && children[1].first < children[0].first) std::swap(children[0], children[1]);
+    for (std::size_t k = 0; k < count; ++k)
+      if (children[k].first < lower_ * lower_) search(children[k].second);
+  }
+
+  double lower() const { return lower_; }
+  double upper() const { return upper_; }
+  int face() const { return face_; }
+
+ private:
+  const Vec3& x_;
+  const std::vector<TurnFace>& faces_;
+  const Tree& tree_;
+  double lower_ = kInfinity;
+  double upper_ = kInfinity;
+  int face_ = 0;
 };
-// NOLINTEND(readability-identifier-naming)
 
 }  // namespace
 
@@ -68,11 +98,19 @@ EuclideanDistance::EuclideanDistance(const TriangleMesh& mesh) {
   boxes_.init(order.begin(), order.end(), boxes.begin(), boxes.end());
 }
 
-DistanceBracket EuclideanDistance::at(const Vec3& x) const {
-  NearestFace nearest{x, faces_};
-  const double lower = Eigen::BVMinimize(boxes_, nearest);
-  const double allowance = kDistanceAllowance * (x.norm() + farthest_);
-  return {std::max(lower - allowance, 0.0), nearest.upper + allowance};
+std::vector<DistanceBracket> EuclideanDistance::at(std::span<const Vec3> points) const {
+  std::vector<DistanceBracket> found;
+  found.reserve(points.size());
+  int face = 0;
+  for (const Vec3& x : points) {
+    NearestFace nearest(x, faces_, boxes_);
+    nearest.look_at(face);
+    nearest.search(boxes_.getRootIndex());
+    const double allowance = kDistanceAllowance * (x.norm() + farthest_);
+    found.push_back({std::max(nearest.lower() - allowance, 0.0), nearest.upper() + allowance});
+    face = nearest.face();
+  }
+  return found;
 }
 
 }  // namespace impinge

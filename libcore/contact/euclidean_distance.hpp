@@ -7,6 +7,7 @@
 // are off by a few u.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -32,8 +33,9 @@ class EuclideanDistance {
   /// the range of mesh/lengths.hpp.
   explicit EuclideanDistance(const TriangleMesh& mesh);
 
-  /// The distance from x (mm, in the frame of the mesh) to the nearest point of any face.
-  DistanceBracket at(const Vec3& x) const;
+  /// The distance from each point (mm, in the frame of the mesh) to the nearest point of any face. Quick
+  /// where points are near those before them, as the search begins with the face that these found.
+  std::vector<DistanceBracket> at(std::span<const Vec3> points) const;
 
  private:
   std::vector<TurnFace> faces_;

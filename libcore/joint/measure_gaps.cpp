@@ -148,9 +148,8 @@ GapsAnswer by_faces(SessionJoint& joint, const GapsRequest& asked) {
 void measure_distances(const SessionJoint& joint, GapsAnswer& result) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
     const Surface of = kSurfaces[k];
-    const EuclideanDistance distance(joint.mesh(other(of)));
-    for (const Vec3& x : places_in_other(joint, result.pose, of))
-      result.of(of).distance.push_back(distance.at(x));
+    result.of(of).distance =
+        EuclideanDistance(joint.mesh(other(of))).at(places_in_other(joint, result.pose, of));
   });
 }
 

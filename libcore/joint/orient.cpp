@@ -66,7 +66,7 @@ OrientAnswer answer(Session& session, const OrientRequest& request) {
       .nearest_free = {},
       .map = {question.least.inclination_deg, question.least.anteversion_deg, question.width_deg},
       .area_deg2 = {},
-      .by_radii = test.bodies().radial() != nullptr,
+      .by_radii = test.bodies().has_radial(),
       .legs = {},
       .cells = orientation_map(test, question)};
   found.map.squares = found.cells.size();

@@ -69,7 +69,7 @@ VolumeAnswer answer(Session& session, const VolumeRequest& request, VolumeSettin
   const CellTest test = cell_test(joint, joint.joint.socket.mesh, {request.gap_mm, request.centre_within_mm});
   how.width = request.width;
   VolumeAnswer found{
-      .motions = {}, .by_radii = test.bodies().radial() != nullptr, .volume = MotionVolume(test, how)};
+      .motions = {}, .by_radii = test.bodies().has_radial(), .volume = MotionVolume(test, how)};
   if (!joint.side) return found;
   for (const NamedMotion& motion : named_motions())
     found.motions.push_back(motion_in(found.volume, joint, test, motion));

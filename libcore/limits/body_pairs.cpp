@@ -330,6 +330,16 @@ std::unique_ptr<BodyPairs::Body> BodyPairs::edge_on_of(const TriangleMesh& main,
   return body;
 }
 
+const CulledJoint& BodyPairs::Radial::joint() const {
+  std::call_once(once_, [this] { joint_.emplace(meshes_); });
+  return *joint_;
+}
+
+bool BodyPairs::Radial::impinged(const Pose& pose) const {
+  constexpr int kFew = 4;  // poses, each of which takes a tenth of what the joint does
+  return poses_++ < kFew ? overlay_.impinged(pose) : overlay_.impinged(pose, joint());
+}
+
 // Calls ask(ball, socket) for the edge-on faces of either surface and the whole other one, until it is true.
 template <class Ask>
 bool BodyPairs::any_edge_on(const Ask& ask) const {
@@ -385,7 +395,7 @@ BodyPairs::Verdict BodyPairs::first_of(const Ask& ask) const {
 }
 
 BodyPairs::Verdict BodyPairs::verdict(const Pose& pose) const {
-  const bool overlap = radial_ && radial_->overlay.impinged(pose);
+  const bool overlap = radial_ && radial_->impinged(pose);
   return first_of([&](const Pair& pair) {
     if (!radial_ || !is_main(pair)) return verdict(pair, pose);
     if (!overlap && main_only_) return beside_radii(pair, pose);

@@ -25,8 +25,10 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -83,8 +85,10 @@ class BodyPairs {
 
   /// Do the main bones have an inside? Else they are surfaces alone, or radii decide about single poses.
   bool has_inside() const { return inside_ && !radial_; }
-  /// The main surfaces if radii decide about them; null if they do not.
-  const CulledJoint* radial() const { return radial_ ? &radial_->joint : nullptr; }
+  /// Do radii decide about the main surfaces?
+  bool has_radial() const { return radial_ != nullptr; }
+  /// The main surfaces if they do; null if they do not. Made when it is first asked for, which takes a while.
+  const CulledJoint* radial() const { return radial_ ? &radial_->joint() : nullptr; }
   /// Is no body open?
   bool closed() const;
   /// Two bodies, not both main surfaces alone, of neither of which it is known what is inside: that they are
@@ -171,12 +175,20 @@ class BodyPairs {
     void find_pieces(const TriangleMesh& mesh);
     void find_main(const TriangleMesh& main);
   };
-  /// The main surfaces, where the socket is a sheet.
-  struct Radial {
-    explicit Radial(BallSocketPair main) : meshes(std::move(main)), joint(meshes), overlay(joint) {}
-    BallSocketPair meshes;
-    CulledJoint joint;
-    CulledOverlay overlay;
+  /// The main surfaces, where the socket is a sheet. A joint that leaves out faces is made only for many
+  /// poses.
+  class Radial {
+   public:
+    explicit Radial(BallSocketPair main) : meshes_(std::move(main)), overlay_(meshes_) {}
+    const CulledJoint& joint() const;
+    bool impinged(const Pose& pose) const;
+
+   private:
+    BallSocketPair meshes_;
+    CulledOverlay overlay_;
+    mutable std::once_flag once_;
+    mutable std::optional<CulledJoint> joint_;
+    mutable std::atomic<int> poses_ = 0;
   };
   BodyPairs() = default;
   bool is_main(const Pair& pair) const { return pair.ball + pair.socket == 0; }

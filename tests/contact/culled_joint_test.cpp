@@ -32,7 +32,7 @@ using test::EveryVertex;
 
 // What is kept by reference is no temporary.
 static_assert(!std::is_constructible_v<CulledJoint, BallSocketPair>);
-static_assert(!std::is_constructible_v<CulledOverlay, CulledJoint>);
+static_assert(!std::is_constructible_v<CulledOverlay, BallSocketPair>);
 
 // Poses that touch, and poses that do not, of all of them.
 struct Seen {
@@ -199,11 +199,12 @@ struct OverlaySeen {
 OverlaySeen expect_alike(const BallSocketPair& joint, const std::vector<Pose>& poses) {
   const SurfaceOverlay all(joint.ball, joint.socket);
   const CulledJoint vertices(joint);
-  const CulledOverlay culled(vertices);
+  const CulledOverlay culled(joint);
   OverlaySeen seen;
   for (const Pose& pose : poses) {
     const bool expected = all.impinged(pose);
     EXPECT_EQ(culled.impinged(pose), expected);
+    EXPECT_EQ(culled.impinged(pose, vertices), expected);
     if (!expected) continue;
     ++seen.impinged;
     seen.between_vertices += vertices.impinged(pose) ? 0U : 1U;
@@ -249,9 +250,8 @@ TEST(TheoremCaps, AnswersAsAllFacesDoOfAnEmptySurface) {
 TEST(CulledOverlay, GrowsWithTheFaces) {
   const auto bytes = [](std::size_t faces) {
     const BallSocketPair joint{sphere(20.0, faces), sphere(24.0, faces)};
-    const CulledJoint vertices(joint);
     const std::size_t kept = joint.ball.faces.size() + joint.socket.faces.size();
-    const std::size_t found = CulledOverlay(vertices).bytes();
+    const std::size_t found = CulledOverlay(joint).bytes();
     EXPECT_GT(found, kept * (sizeof(Face) + sizeof(int) + sizeof(std::uint32_t)));
     return found;
   };

@@ -22,11 +22,11 @@ namespace {
 
 // The widest bracket.
 double widest(const TriangleMesh& mesh, const std::vector<Vec3>& points) {
-  const EuclideanDistance distance(mesh);
+  const std::vector<DistanceBracket> found = EuclideanDistance(mesh).at(points);
   const std::vector<double> exact = closest_distances(mesh, {.points = points});
   double most = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const DistanceBracket ends = distance.at(points[i]);
+    const DistanceBracket& ends = found[i];
     EXPECT_LE(ends.lower_mm, exact[i]) << points[i].transpose();
     EXPECT_GE(ends.upper_mm, exact[i]) << points[i].transpose();
     most = std::max(most, ends.upper_mm - ends.lower_mm);

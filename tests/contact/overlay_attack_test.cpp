@@ -164,11 +164,12 @@ TEST_F(TheoremOverlay, CullingAndTheOracleAgreeOnDegenerateJoints) {
     const BallSocketPair joint = any_joint();
     const SurfaceOverlay all(joint.ball, joint.socket);
     const CulledJoint vertices(joint);
-    const CulledOverlay culled(vertices);
+    const CulledOverlay culled(joint);
     for (std::size_t k = 0; k < kPosesPerJoint; ++k) {
       const Pose pose = any_pose(joint);
       const bool expected = all.impinged(pose);
       ASSERT_EQ(culled.impinged(pose), expected) << "case " << n + k;
+      ASSERT_EQ(culled.impinged(pose, vertices), expected) << "case " << n + k;
       ASSERT_EQ(all.deepest(pose).has_value(), expected) << "case " << n + k;
       if (k < kPosesPerOracle) {
         ASSERT_EQ(oracle(joint, pose), expected) << "case " << n + k;
@@ -195,7 +196,8 @@ TEST_F(TheoremOverlay, NeedlesThatMeetTipOnTipAreFound) {
       joint.socket = test::ball_in_socket_frame(joint.socket, pose);
     const CulledJoint vertices(joint);
     ASSERT_TRUE(SurfaceOverlay(joint.ball, joint.socket).impinged(pose)) << "case " << n;
-    ASSERT_TRUE(CulledOverlay(vertices).impinged(pose)) << "case " << n;
+    ASSERT_TRUE(CulledOverlay(joint).impinged(pose)) << "case " << n;
+    ASSERT_TRUE(CulledOverlay(joint).impinged(pose, vertices)) << "case " << n;
     if (n % 10 == 0) {
       ASSERT_TRUE(oracle(joint, pose)) << "case " << n;
     }

@@ -18,11 +18,11 @@ class ExactTouch {
  public:
   /// The joint must outlive this.
   explicit ExactTouch(const BallSocketPair& joint)
-      : all_(joint.ball, joint.socket), vertices_(joint), culled_(vertices_) {}
+      : all_(joint.ball, joint.socket), vertices_(joint), culled_(joint) {}
   explicit ExactTouch(const BallSocketPair&&) = delete;
 
   bool impinged(const Pose& pose) {
-    const bool touches = culled_.impinged(pose);
+    const bool touches = culled_.impinged(pose, vertices_);
     if (asked_++ < kByAllPairs) {
       EXPECT_EQ(touches, all_.impinged(pose)) << "pose " << asked_;
     }
