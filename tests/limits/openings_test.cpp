@@ -183,7 +183,7 @@ TEST(Openings, OfACutShaftLeaveItsInside) {
 // is behind is not.
 TEST(Openings, OfACutPelvisMakeItNoSheet) {
   const TriangleMesh inner = cup(26.0, 60.0, 400);
-  const TriangleMesh back = opened(cup(30.0, 60.0, 400), Vec3(0.5, 0.0, 0.85).normalized(), 0.15);
+  const TriangleMesh back = test::opened(cup(30.0, 60.0, 400), Vec3(0.5, 0.0, 0.85).normalized(), 0.15);
   const TriangleMesh pelvis = test::with_back(inner, back);
   ASSERT_FALSE(boundary_edges(pelvis).empty());
   BoneParts whole;
