@@ -94,6 +94,58 @@ TEST(CellParts, APolytopeOfTooManyFacesIsNothing) {
   }
 }
 
+// The two sides of a plane together are what was divided. Planes far from the middle cut small pieces off
+// polytopes that larger cuts have made. In so small a cell what the bound of a share leaves out does not
+// count.
+TEST(CellParts, SidesOfAPlaneAddUp) {
+  test::Dice dice(74);
+  const CellFrame frame({12, 12345678901});
+  const double all = CellPolytope().share(frame);
+  int cuts = 0;
+  for (std::size_t round = 0; round < random_cases(); ++round) {
+    CellPolytope left;
+    for (std::uint32_t n = 6; n < 16; ++n) {
+      const CellPlane plane = plane_across(dice.direction(), dice.between(-0.2, 1.6));
+      CellPolytope piece = left;
+      const double whole = left.share(frame);
+      ASSERT_TRUE(piece.clip(plane.opposite(), n));
+      ASSERT_TRUE(left.clip(plane, n));
+      EXPECT_NEAR(piece.share(frame) + left.share(frame), whole, 1e-6 * all) << round << " " << n;
+      if (!piece.empty() && !left.empty()) ++cuts;
+    }
+  }
+  EXPECT_GT(cuts, static_cast<int>(random_cases()));
+}
+
+// A prism of 24 sides, cut across: the new face has 24 corners, for which there is room.
+TEST(CellParts, APlaneThatCutsTwentyFourFacesIsKept) {
+  CellPolytope left;
+  for (std::uint32_t n = 6; n < 30; ++n) {
+    const double way = 2.0 * kPi * (7 * n % 24) / 24.0;
+    ASSERT_TRUE(left.clip(plane_across({std::cos(way), std::sin(way), 0.0}, 0.6), n));
+  }
+  const CellFrame frame({12, 12345678901});
+  const double area = 24.0 * 0.36 * std::tan(kPi / 24.0);  // of the circle's polygon
+  EXPECT_NEAR(left.share(frame), 0.25 * area * CellPolytope().share(frame), 1e-4 * left.share(frame));
+  const double whole = left.share(frame);
+  ASSERT_TRUE(left.clip(plane_across({0.0, 0.0, 1.0}, 0.0), 30));
+  EXPECT_TRUE(left.bounds(30));
+  EXPECT_NEAR(left.share(frame), 0.5 * whole, 1e-4 * whole);
+}
+
+// A bound without a slope is the same in all of the cell.
+TEST(CellParts, AFormWithoutASlopeIsAllOrNothing) {
+  for (const double value : {1e-9, 1.0, 1e9}) {
+    const CellPlane all = FormOverCell{value, Vec3::Zero(), 0.0}.plane();
+    const CellPlane none = FormOverCell{-value, Vec3::Zero(), 0.0}.plane();
+    for (const Vec3& t : {Vec3(0, 0, 0), Vec3(1, -1, 1)}) {
+      EXPECT_GT(all.at(t), 0.0);
+      EXPECT_LT(none.at(t), 0.0);
+      EXPECT_TRUE(std::isfinite(all.at(t)) && std::isfinite(none.at(t)));
+    }
+  }
+}
+
 // Thirty faces, as of two pyramids that slope up and down in turn: a plane cuts all of them.
 TEST(CellParts, APlaneThatCutsThirtyFacesLeavesNothing) {
   constexpr std::uint32_t kFaces = 30;
