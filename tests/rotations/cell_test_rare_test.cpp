@@ -284,6 +284,45 @@ TEST(CellTest, DecidesNothingIfTheCentreMayBeOutsideOfTheBall) {
     EXPECT_EQ(CellSearch(test).decide(cell_near(dice.quaternion(), dice, 0, 9)).state, CellState::open);
 }
 
+// Nor does a centre on a face, which some others have on this side of it and some on that.
+TEST(CellTest, DecidesNothingIfAFaceOfTheBallHasACornerInTheCentre) {
+  TriangleMesh ball = sphere(20.0, 200);
+  test::add_face(ball, Vec3::Zero(), {5.0, 0.0, 0.0}, {0.0, 5.0, 1.0});
+  const CellTest test({ball, cup(26.0, 70.0, 200)}, {0.5, 0.1});
+  test::Dice dice(88);
+  for (int k = 0; k < 20; ++k)
+    EXPECT_EQ(CellSearch(test).decide(cell_near(dice.quaternion(), dice, 0, 9)).state, CellState::open);
+}
+
+// A spike that is longer than the farthest corner of a face, of which no plane is known.
+TEST(CellTest, BlocksBeyondAFaceThatIsTooWide) {
+  TriangleMesh socket;
+  test::add_face(socket, {-120.0, -60.0, 26.0}, {0.0, 120.0, 26.0}, {120.0, -60.0, 26.0});
+  TriangleMesh ball = sphere(20.0, 200);
+  test::add_face(ball, {1.0, 0.0, 19.0}, {-1.0, 1.0, 19.0}, {0.0, 0.0, 150.0});
+  const CellTest test({ball, socket});
+  ASSERT_TRUE(test.surface(Surface::socket).faces()[0].plane.isZero(0.0));
+  const auto& vertices = test.surface(Surface::ball).vertices();
+  const auto tip = static_cast<std::uint32_t>(
+      std::ranges::max_element(vertices, {}, [](const Vec3& x) { return x.z(); }) - vertices.begin());
+  const CellHint hint{CellHint::kNone, CellHint::kNone, tip, true};
+  EXPECT_EQ(CellSearch(test).decide(RotationBall{Eigen::Matrix3d::Identity(), 0.01}, hint).state,
+            CellState::blocked);
+}
+
+// What was learnt of a cell says nothing of rotations elsewhere.
+TEST(CellTest, AsksOfABallOfRotationsWhateverWasEntered) {
+  const BallSocketPair joint{sphere(20.0, 300), test::with_back(cup(26.0, 70.0, 300), cup(30.0, 70.0, 300))};
+  const CellTest test(joint);
+  CellSearch search(test);
+  test::Dice dice(89);
+  for (int k = 0; k < 20; ++k) {
+    search.enter(cell_near(dice.quaternion(), dice, 5, 6));
+    const RotationBall about{dice.rotation(), 0.01};
+    EXPECT_EQ(search.decide(about).state, CellSearch(test).decide(about).state);
+  }
+}
+
 // About a quarter turn the cap of a vertex is too wide to be asked about, though that of all rotations is
 // not: its bound is that of the vertex alone.
 TEST(CellTest, BlocksNoQuarterTurn) {

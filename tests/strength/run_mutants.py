@@ -88,7 +88,7 @@ def killer(mutant: int, programs: list[Tests]) -> str:
     slow = [(tests, *part) for tests in programs for part in tests.slow(mutant)]
     for tests, names, seconds in [part for part in quick if part[1]] + sorted(slow, key=lambda part: part[2]):
         # Seconds of the processor, since the machine may be busy; and not so much memory that others lack it.
-        limits = ["prlimit", f"--cpu={20 + 5 * int(seconds)}", f"--as={4 << 30}"]
+        limits = ["prlimit", f"--cpu={10 + 3 * int(seconds)}", f"--as={4 << 30}"]
         done = subprocess.run([*limits, tests.program, "--gtest_fail_fast", "--gtest_brief=1", f"--gtest_filter={':'.join(names)}"],
                               env=os.environ | {"IMPINGE_MUTANT": str(mutant)}, capture_output=True, text=True, errors="replace")
         if done.returncode:
