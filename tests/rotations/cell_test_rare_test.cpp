@@ -84,8 +84,10 @@ TEST(CellTest, PartsAreRightWhateverTheHint) {
     const Eigen::AngleAxisd tilt((70.0 + dice.between(-6.0, 6.0)) * kDegree,
                                  Vec3(std::cos(way), std::sin(way), 0.0));
     const RotationCell cell = cell_near(quaternion_of(tilt), dice, 6, 9);
-    const CellHint hint{some(joint.ball.faces.size()), some(joint.socket.faces.size()), CellHint::kNone,
-                        true};
+    const bool of_ball = dice.sign() > 0.0;
+    const Surface of = of_ball ? Surface::ball : Surface::socket;
+    const CellHint hint{some(joint.ball.faces.size()), some(joint.socket.faces.size()),
+                        some(test.surface(of).vertices().size()), of_ball};
     expect_right(search.part_of(cell, hint), cell, overlay, dice, said);
   }
   EXPECT_GT(said.free, random_cases() / 50);

@@ -11,6 +11,7 @@ TREE/result.csv has them all."""
 from __future__ import annotations
 
 import argparse
+import collections
 import concurrent.futures
 import csv
 import dataclasses
@@ -98,6 +99,19 @@ def killer(mutant: int, programs: list[Tests]) -> str:
     return ""
 
 
+def argued_equivalent(mutants: list[dict[str, str]]) -> set[int]:
+    """A row of equivalent.csv is about the nth mutant of its file with that kind and original."""
+    with (Path(__file__).parent / "equivalent.csv").open() as file:
+        rows = {(row["file"], row["kind"], row["original"], int(row["nth"])) for row in csv.DictReader(file)}
+    found, count = set(), collections.Counter()
+    for k, row in enumerate(mutants):
+        place = row["file"], row["kind"], row["original"]
+        count[place] += 1
+        if (*place, count[place]) in rows:
+            found.add(k)
+    return found
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("build", type=Path)
@@ -113,8 +127,7 @@ def main() -> int:
         make(options.build, tree)
     with (tree / "mutants.csv").open() as file:
         mutants = list(csv.DictReader(file))
-    with (Path(__file__).parent / "equivalent.csv").open() as file:
-        argued = {(row["file"], row["kind"], row["original"]) for row in csv.DictReader(file)}
+    argued = argued_equivalent(mutants)
     drawn = random.Random(options.seed).sample(range(len(mutants)), min(options.number, len(mutants)))
     if options.only:
         drawn = options.only
@@ -134,7 +147,7 @@ def main() -> int:
         table.writeheader()
         for k in sorted(drawn):
             row = mutants[k]
-            fate = "killed" if killers[k] else "equivalent" if (row["file"], row["kind"], row["original"]) in argued else "survived"
+            fate = "killed" if killers[k] else "equivalent" if k in argued else "survived"
             {"killed": killed, "equivalent": equal, "survived": alive}[fate].append(k)
             table.writerow(row | {"killed_by": killers[k], "fate": fate if killers[k] or any(k in test.reached for tests in all_tests for test in tests.tests) else f"{fate}, not reached"})
             if fate == "survived":
