@@ -213,6 +213,27 @@ TEST(BodyPairs, ANeedleThroughAHoleIsInside) {
   }
 }
 
+// A point half a millimetre before a hole comes in with a shift of more than that. The rim is three times as
+// far.
+TEST(BodyPairs, ANeedleBeforeAHoleMayComeIn) {
+  TriangleMesh bone = sphere_at(10.0, 1, kFar);
+  const auto [a, b, c] = corners_of(bone, bone.faces[0]);
+  const Vec3 middle = (a + b + c) / 3.0;
+  const Vec3 out = area_vector(bone, bone.faces[0]).normalized();
+  const Vec3 across = 0.1 * out.unitOrthogonal();
+  const Vec3 aside = out.cross(across);
+  bone.faces.erase(bone.faces.begin());
+  const TriangleMesh needle{{middle + 0.5 * out, middle + 8.0 * out + across,
+                             middle + 8.0 * out - across + aside, middle + 8.0 * out - across - aside},
+                            {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+  for (const bool of_ball : {true, false}) {
+    const BodyPairs pairs(small_joint(), {{of_ball ? needle : bone}, {of_ball ? bone : needle}});
+    EXPECT_EQ(verdict(pairs).contact, Contact::no);
+    EXPECT_FALSE(pairs.may_meet({.shift_mm = 0.4}));
+    EXPECT_TRUE(pairs.may_meet({.shift_mm = 0.8}));
+  }
+}
+
 // Faces towards the hollow are those of a socket, which does not hold what is in it. Behind the faces of a
 // part nothing is known, whichever way they are wound; a main surface is that of a head that was cropped.
 TEST(BodyPairs, WhatIsBehindASheetIsKnownOfMainSurfacesOnly) {
