@@ -491,5 +491,30 @@ TEST(CentreWalls, AreWhereAPointMayMeetThem) {
   for (const std::size_t found : of_kind) EXPECT_GT(found, 20U);
 }
 
+// Walls within an edge are made of k times its points, k from 0 to 1, where other centres add (1 - k) r: the
+// most at the least k of a triangle.
+TEST(CentreWalls, WithinAnEdgeAreNoFartherAndNoMoreInDoubtThanTheyMustBe) {
+  Dice random(24);
+  for (std::size_t k = 0; k < random_cases(); ++k) {
+    const auto corner = [&] { return Vec3(random.power(0.0, 1.3) * random.direction()); };
+    const TriangleMesh mesh{{corner(), corner()}, {}};
+    WallQuestion asked{false, k % 2 == 0, random.power(-2.0, 0.0), random.power(-1.0, 0.5)};
+    asked.nearest = random.power(-1.0, 1.0);
+    asked.farthest = asked.nearest * random.power(0.0, 1.0);
+    for (const TurnFace& face : shells(mesh, {{0, 1}}, asked)) {
+      double least = 1.0;
+      for (const Vec3& x : face.corner) {
+        const Vec3& of = mesh.vertices[x.normalized().dot(mesh.vertices[0].normalized()) >
+                                               x.normalized().dot(mesh.vertices[1].normalized())
+                                           ? 0
+                                           : 1];
+        EXPECT_LE(x.norm(), of.norm() * (1.0 + 1e-12));
+        least = std::min(least, x.norm() / of.norm());
+      }
+      EXPECT_NEAR(face.doubt, asked.common ? (1.0 - least) * asked.r : 0.0, 1e-9);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace impinge
