@@ -265,6 +265,13 @@ TEST(CulledOverlay, GrowsWithTheFaces) {
   EXPECT_GT(bytes(800), 3 * bytes(200));
 }
 
+TEST(CulledJoint, BytesAreThoseOfItsParts) {
+  const BallSocketPair meshes{sphere(20.0, 100), sphere(24.0, 2000)};
+  const CulledJoint joint(meshes);
+  EXPECT_EQ(joint.bytes(), joint.faces(Surface::ball).bytes() + joint.faces(Surface::socket).bytes() +
+                               joint.scans()[0].bytes() + joint.scans()[1].bytes());
+}
+
 // Faces wider than any look-up, and two surfaces that touch everywhere.
 TEST(TheoremCaps, AnswersAsAllFacesDoOfLargeFaces) {
   for (const double radius : {16.0, 24.0}) {

@@ -261,6 +261,16 @@ TEST(CertifiedGap, OneImpingedVertexIsEnoughForThePose) {
   EXPECT_EQ((VerdictCount{5, 1, 1}).pose(), Verdict::impinged);
 }
 
+TEST(CertifiedGap, VerticesAreCountedByTheirVerdicts) {
+  VerdictCount count;
+  for (int k = 0; k < 3; ++k) count.add(Verdict::clear);
+  for (int k = 0; k < 2; ++k) count.add(Verdict::impinged);
+  count.add(Verdict::undecided);
+  EXPECT_EQ(count.clear, 3U);
+  EXPECT_EQ(count.impinged, 2U);
+  EXPECT_EQ(count.undecided, 1U);
+}
+
 TEST(ExactSide, OfTheCentreIsWithinTheBallAndNeverBeyondTheSocket) {
   const TriangleMesh mesh = sphere(20.0, 100);
   const NearFaces faces(mesh, 0.0);

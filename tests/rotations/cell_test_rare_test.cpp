@@ -312,6 +312,26 @@ TEST(CellTest, BlocksBeyondAFaceThatIsTooWide) {
             CellState::blocked);
 }
 
+// A corner of the socket that is in the spike, and that some turns by up to 0.6 leave beside it.
+TEST(CellTest, ACornerInASpikeBlocksWhereTheSpikeStays) {
+  TriangleMesh socket;
+  test::add_face(socket, {0.8, 0.5, 22.0}, {3.0, 30.0, 30.0}, {-3.0, 30.0, 30.0});
+  const BallSocketPair joint{ball_with_a_spike(), socket};
+  test::ExactTouch overlay(joint);
+  const CellTest test(joint);
+  const auto& vertices = test.surface(Surface::socket).vertices();
+  const auto tip = static_cast<std::uint32_t>(
+      std::ranges::min_element(vertices, {}, [](const Vec3& x) { return x.norm(); }) - vertices.begin());
+  const CellHint hint{CellHint::kNone, CellHint::kNone, tip, false};
+  const auto state = [&](double radius) {
+    return CellSearch(test).decide(RotationBall{Eigen::Matrix3d::Identity(), radius}, hint).state;
+  };
+  EXPECT_EQ(state(0.01), CellState::blocked);
+  const Eigen::AngleAxisd aside(0.6, Vec3::UnitX());
+  ASSERT_FALSE(overlay.impinged({aside.toRotationMatrix(), Vec3::Zero()}));
+  EXPECT_EQ(state(0.6), CellState::open);
+}
+
 // What was learnt of a cell says nothing of rotations elsewhere.
 TEST(CellTest, AsksOfABallOfRotationsWhateverWasEntered) {
   const BallSocketPair joint{sphere(20.0, 300), test::with_back(cup(26.0, 70.0, 300), cup(30.0, 70.0, 300))};
