@@ -11,12 +11,14 @@
 
 #include "mesh/bodies.hpp"
 #include "rotations/cap_floor.hpp"
+#include "rotations/radii_over_cap.hpp"
 #include "rotations/ray_spans.hpp"
 #include "rotations/seen_surface.hpp"
 #include "support/dice.hpp"
 #include "support/joined.hpp"
 #include "support/random_cases.hpp"
 #include "support/turned.hpp"
+#include "table/near_faces.hpp"
 
 namespace impinge {
 namespace {
@@ -194,6 +196,38 @@ TEST(RaySpans, AreSetsOfRadii) {
 }
 
 // A direction on a side belongs to neither face.
+// A sphere with a patch before or behind it, whose rim has long edges, half of the caps near the rim: what
+// any ray meets is within the bounds.
+TEST(RadiiOverCap, HoldWhatARayMeets) {
+  test::Dice dice(77);
+  for (const Layer layer : {Layer::nearest, Layer::farthest}) {
+    const double patch = layer == Layer::nearest ? 15.0 : 30.0;
+    const TriangleMesh mesh = test::joined(sphere(20.0, 300), cup(patch, 40.0, 30));
+    const RadiiOverCap radii(mesh, layer);
+    const NearFaces faces(mesh, 0.0);
+    std::size_t bounded = 0;
+    for (std::size_t k = 0; k < random_cases(); ++k) {
+      const double tilt = (k % 2 == 0 ? dice.between(0.0, 180.0) : dice.between(34.0, 42.0)) * kDegree;
+      const double azimuth = dice.between(0.0, 2.0 * kPi);
+      const Vec3 axis(std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth), std::cos(tilt));
+      const DirectionCap cap{axis, dice.power(-3.0, -1.05)};
+      const double least = radii.least(cap);
+      const double largest = radii.largest(cap);
+      if (std::isfinite(least) && std::isfinite(largest)) ++bounded;
+      for (int n = 0; n < 20; ++n) {
+        const Vec3 about = axis.cross(dice.direction()).normalized();
+        const Vec3 u = Eigen::AngleAxisd(dice.between(0.0, cap.radius), about) * axis;
+        const double radius = faces.radius(u, layer);
+        if (std::isnan(radius)) continue;
+        EXPECT_LE(least, radius) << tilt;
+        EXPECT_GE(largest, radius) << tilt;
+      }
+    }
+    EXPECT_GT(bounded, random_cases() / 3);
+    EXPECT_LT(bounded, random_cases());
+  }
+}
+
 TEST(CapFloor, FindsTheFaceThatHoldsADirection) {
   const TriangleMesh mesh = test::askew(sphere(20.0, 500));
   const SeenSurface surface(mesh, Layer::farthest);

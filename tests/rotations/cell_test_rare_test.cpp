@@ -3,6 +3,7 @@
 // centre as large as the ball, hints that say nothing, and surfaces that nearly touch all round.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -330,6 +331,49 @@ TEST(CellTest, ACornerInASpikeBlocksWhereTheSpikeStays) {
   const Eigen::AngleAxisd aside(0.6, Vec3::UnitX());
   ASSERT_FALSE(overlay.impinged({aside.toRotationMatrix(), Vec3::Zero()}));
   EXPECT_EQ(state(0.6), CellState::open);
+}
+
+// About another centre a quarter turn takes the ball away from a corner of the socket that is half a
+// millimetre in it.
+TEST(CellTest, ACornerBlocksOnlyIfItDoesForEveryCentre) {
+  TriangleMesh socket;
+  test::add_face(socket, {0.7, 0.9, 19.0}, {3.0, 30.0, 30.0}, {-3.0, 30.0, 30.0});
+  const BallSocketPair joint{icosphere(20.0, 3), socket};
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5 * kPi, Vec3::UnitX()).toRotationMatrix();
+  const Vec3 off = 0.99 * Vec3(0.0, std::sqrt(0.5), -std::sqrt(0.5));  // (I - R) off is 1.4 mm along -z
+  const BallSocketPair other{relative_to(joint.ball, off), relative_to(joint.socket, off)};
+  ASSERT_TRUE(test::ExactTouch(joint).impinged({turn, Vec3::Zero()}));
+  ASSERT_FALSE(test::ExactTouch(other).impinged({turn, Vec3::Zero()}));
+  for (const double within : {0.2, 1.0}) {
+    const CellTest test(joint, {0.0, within});
+    const auto& vertices = test.surface(Surface::socket).vertices();
+    const auto tip = static_cast<std::uint32_t>(
+        std::ranges::min_element(vertices, {}, [](const Vec3& x) { return x.norm(); }) - vertices.begin());
+    const CellHint hint{CellHint::kNone, CellHint::kNone, tip, false};
+    EXPECT_EQ(CellSearch(test).decide(RotationBall{turn, 1e-3}, hint).state,
+              within < 0.5 ? CellState::blocked : CellState::open);
+  }
+}
+
+// A small face of the ball twice as far out as one of the socket, beside it: a centre 0.98 mm off sees one
+// behind the other.
+TEST(CellTest, FacesBesideEachOtherTouchForAnotherCentre) {
+  constexpr double kBeside = 0.0245;  // radians
+  BallSocketPair joint{icosphere(10.0, 3), {}};
+  const Vec3 x(0.0, 0.0, 40.0);
+  const Vec3 y(20.0 * std::sin(kBeside), 0.0, 20.0 * std::cos(kBeside));
+  for (const auto& [mesh, at] : {std::pair{&joint.ball, x}, {&joint.socket, y}})
+    test::add_face(*mesh, at + Vec3(1e-3, 0, 0), at + Vec3(-5e-4, 8e-4, 0), at + Vec3(-5e-4, -8e-4, 0));
+  const Vec3 off = y + y.z() / (x.z() - y.z()) * (y - x);
+  ASSERT_LT(off.norm(), 1.0);
+  const BallSocketPair other{relative_to(joint.ball, off), relative_to(joint.socket, off)};
+  const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity();
+  ASSERT_TRUE(test::ExactTouch(other).impinged({rest, Vec3::Zero()}));
+  for (const double within : {0.1, 1.0}) {
+    const CellTest test(joint, {0.0, within});
+    EXPECT_EQ(CellSearch(test).decide(RotationBall{rest, 1e-6}).state,
+              within < 0.5 ? CellState::free : CellState::open);
+  }
 }
 
 // What was learnt of a cell says nothing of rotations elsewhere.
