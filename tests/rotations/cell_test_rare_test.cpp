@@ -376,6 +376,27 @@ TEST(CellTest, FacesBesideEachOtherTouchForAnotherCentre) {
   }
 }
 
+// A gap is along rays from the centre: one 1 mm off sees a small face of the ball 9 mm below a corner of the
+// socket that is beside it.
+TEST(CellTest, AGapReachesAsideForAnotherCentre) {
+  constexpr double kGap = 9.0;
+  const Vec3 y(0.0, 0.0, 20.0);
+  const Vec3 off(0.999, 0.0, 0.0);
+  const Vec3 below = 1.002 * (y - kGap * (y - off).normalized());
+  BallSocketPair joint{icosphere(10.2, 3), {}};
+  test::add_face(joint.ball, below + Vec3(1e-2, 0, 0), below + Vec3(-5e-3, 8e-3, 0),
+                 below + Vec3(-5e-3, -8e-3, 0));
+  test::add_face(joint.socket, y, y + Vec3(1e-4, 1e-4, 1.0), y + Vec3(1e-4, -1e-4, 1.0));
+  const BallSocketPair other{relative_to(joint.ball, off), relative_to(joint.socket, off)};
+  const auto least = CulledJoint(other).least_gap({});
+  ASSERT_TRUE(least && least->gap_mm < kGap);
+  for (const double within : {0.1, 1.0}) {
+    const CellTest test(joint, {kGap, within});
+    EXPECT_EQ(CellSearch(test).decide(RotationBall{Eigen::Matrix3d::Identity(), 1e-6}).state,
+              within < 0.5 ? CellState::free : CellState::open);
+  }
+}
+
 // What was learnt of a cell says nothing of rotations elsewhere.
 TEST(CellTest, AsksOfABallOfRotationsWhateverWasEntered) {
   const BallSocketPair joint{sphere(20.0, 300), test::with_back(cup(26.0, 70.0, 300), cup(30.0, 70.0, 300))};
