@@ -218,7 +218,7 @@ TEST(MovedFaces, NoneIsLookedAtBesideTheGrid) {
 }
 
 TEST(NearCells, AreNoMoreThanThirtyTwoForAFace) {
-  for (int halvings = 0; halvings < 5; ++halvings) {
+  for (std::size_t halvings = 0; halvings < 5; ++halvings) {
     const TriangleMesh mesh = icosphere(20.0, halvings);
     EXPECT_LE(NearCells(FaceRuns(mesh)).square.size(), 32 * (128 + mesh.faces.size()));
   }

@@ -63,7 +63,9 @@ TEST(WidestGap, IsAboveZeroExactlyWhereTrianglesAreApart) {
     if (std::abs(found.mm) < 1e-9) continue;
     const bool meet = faces_meet(a, b);
     ASSERT_EQ(found.mm > 0.0, !meet) << k;
-    if (!meet) EXPECT_NEAR(found.mm, least, 1e-12);
+    if (!meet) {
+      EXPECT_NEAR(found.mm, least, 1e-12);
+    }
     ++(meet ? meeting : apart);
   }
   EXPECT_GT(std::min(apart, meeting), static_cast<int>(random_cases()));
@@ -90,6 +92,22 @@ TEST(ClearCuts, FacesThatAreThereManyTimesCrossAsOneDoes) {
   ASSERT_TRUE(touching.open);
   EXPECT_EQ(touching.open->degrees, 0.0);
   EXPECT_FALSE(answer(0.1).crossing || answer(0.1).open);
+}
+
+// Edges that cross a fiftieth of a millimetre above each other, of faces that lean away: only directions
+// within 0.1 degrees of the normal of both edges separate them, which is looked for if no other cut helps.
+TEST(ClearCuts, FacesThatAreThereManyTimesAreApartAsOneIs) {
+  const Vec3 n = Vec3(1, 2, 3).normalized();
+  const Vec3 u = n.unitOrthogonal();
+  const Vec3 w = (u + n.cross(u)).normalized();
+  const TriangleMesh below{{-5 * u, 5 * u, -6 * n + 3 * n.cross(u)}, {{0, 1, 2}}};
+  const TriangleMesh above{{0.02 * n - 5 * w, 0.02 * n + 5 * w, 6 * n + 3 * n.cross(w)}, {{0, 1, 2}}};
+  for (const std::size_t times : {1U, 17U}) {
+    const CutAnswer found = clear_cuts({many_times(below, times), 1e-9}, {many_times(above, times), 1e-9},
+                                       {.last = half_angle(0.0)});
+    EXPECT_FALSE(found.crossing || found.open) << times;
+    EXPECT_LT(found.cuts.size(), 20U) << times;
+  }
 }
 
 TEST(HalfAngle, OfNothingIsThatOfAPose) {

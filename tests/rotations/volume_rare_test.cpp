@@ -198,7 +198,9 @@ std::size_t expect_joined(const MotionVolume& volume) {
   double low = 0.0;
   std::size_t parts = 0;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].state == CellState::free) EXPECT_EQ(all[k].reachable, reached[k]) << k;
+    if (all[k].state == CellState::free) {
+      EXPECT_EQ(all[k].reachable, reached[k]) << k;
+    }
     if (!reached[k]) continue;
     low += all[k].state == CellState::free ? share(all[k].cell) : all[k].part->free_share;
     if (all[k].part != nullptr) ++parts;
