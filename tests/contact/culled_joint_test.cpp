@@ -95,6 +95,12 @@ TEST(TheoremCaps, AnswersAsEveryVertexDoesFarOffTheCentre) {
   }
 }
 
+// More vertices in one of the deepest cells than a node has children.
+TEST(TheoremCaps, AnswersAsEveryVertexDoesOfACrowd) {
+  const BallSocketPair joint{cup(20.0, 4.0, 800), cup(21.0, 6.0, 800)};
+  for (const double turn : {0.0, 0.1}) expect_all_alike(joint, test::random_poses(40, turn, 2.0, 25));
+}
+
 // A vertex exactly on the other surface, in either scan, and one beside it by a unit of the last place.
 TEST(CulledJoint, ATouchingVertexIsFound) {
   BallSocketPair joint{octahedron(16.0), octahedron(16.0)};
@@ -257,6 +263,13 @@ TEST(CulledOverlay, GrowsWithTheFaces) {
   };
   EXPECT_LT(bytes(800), 10 * bytes(200));
   EXPECT_GT(bytes(800), 3 * bytes(200));
+}
+
+TEST(CulledJoint, BytesAreThoseOfItsParts) {
+  const BallSocketPair meshes{sphere(20.0, 100), sphere(24.0, 2000)};
+  const CulledJoint joint(meshes);
+  EXPECT_EQ(joint.bytes(), joint.faces(Surface::ball).bytes() + joint.faces(Surface::socket).bytes() +
+                               joint.scans()[0].bytes() + joint.scans()[1].bytes());
 }
 
 // Faces wider than any look-up, and two surfaces that touch everywhere.

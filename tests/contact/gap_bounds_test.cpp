@@ -17,6 +17,7 @@
 #include "contact/cap_lanes.hpp"
 #include "contact/cap_limits.hpp"
 #include "contact/cap_tree.hpp"
+#include "contact/cube_cell.hpp"
 #include "contact/culled_joint.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/generated_pair.hpp"
@@ -212,6 +213,35 @@ TEST(CapTree, EveryNodeHoldsItsItems) {
   std::vector<std::uint32_t> every(items.size());
   std::iota(every.begin(), every.end(), 0U);
   EXPECT_EQ(all, every);
+}
+
+// All in one eighth of a radian: most cells are empty, and have no nodes.
+TEST(CapTree, OfACrowdHasNoNodeWithoutItems) {
+  std::vector<CapItem> items;
+  for (const Vec3& u : test::random_directions(3000, 33))
+    items.push_back({{Vec3(1.0, 0.1 * u.x(), 0.1 * u.y()).normalized(), 0.0}, {20.0, 21.0}});
+  const CapTree tree(items);
+  test::for_each_node(tree, [&](const CapNode& node, const CapBlock& block, std::size_t lane) {
+    EXPECT_FALSE(test::items_below(tree, node).empty());
+    EXPECT_LT(block.high[lane], 21.001F);
+    EXPECT_GT(block.low[lane], 19.999F);
+  });
+}
+
+// Next to a corner, within the cell and beyond it.
+TEST(CubeCell, HasItsCorners) {
+  for (const Vec3& u : test::random_directions(2000, 34)) {
+    for (std::size_t level = 0; level <= CapTree::kDeepest; ++level) {
+      const CubeCell cell{level, cell_of(u, level)};
+      const std::array<Vec3, 4> corners = cell_corners(cell);
+      const Vec3 middle = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+      for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(cell_of(middle + (1.0 - 1e-6) * (corners[k] - middle), level), cell.prefix) << k;
+        EXPECT_NE(cell_of(middle + (1.0 + 1e-6) * (corners[k] - middle), level), cell.prefix) << k;
+        EXPECT_NE(corners[k], corners[(k + 1) % 4]);
+      }
+    }
+  }
 }
 
 // The caps of leaves are little wider than their cells.

@@ -203,6 +203,27 @@ TEST(MovedFaces, FewAreLookedAt) {
   EXPECT_LT(touching, head.faces.size() / 20);
 }
 
+// Behind the socket, as the centre sees it, and beyond any side of its grid.
+TEST(MovedFaces, NoneIsLookedAtBesideTheGrid) {
+  const TriangleMesh body = icosphere(2.0, 2);
+  for (const Vec3& way :
+       {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+    TriangleMesh socket = body;
+    for (Vec3& x : socket.vertices) x += 20.0 * way;
+    std::size_t looked_at = 0;
+    const Pose behind{Eigen::Matrix3d::Identity(), 26.0 * way};
+    EXPECT_FALSE(surfaces_meet(MovedFaces(body), FixedFaces(socket), behind, &looked_at));
+    EXPECT_EQ(looked_at, 0) << way.transpose();
+  }
+}
+
+TEST(NearCells, AreNoMoreThanThirtyTwoForAFace) {
+  for (std::size_t halvings = 0; halvings < 5; ++halvings) {
+    const TriangleMesh mesh = icosphere(20.0, halvings);
+    EXPECT_LE(NearCells(FaceRuns(mesh)).square.size(), 32 * (128 + mesh.faces.size()));
+  }
+}
+
 // Calls visit(x) for points of the faces, corners among them.
 template <class Visit>
 void for_points_of(const FaceRuns& surface, Dice& dice, const Visit& visit) {

@@ -132,6 +132,23 @@ TEST(MeasuredGap, TheEndsAreAsFarOutAsIsDerived) {
   }
 }
 
+// What is derived holds up to a sixteenth of the radius (measured_gap.gappa). A steeper face is anywhere up
+// to its farthest corner, 22 mm.
+TEST(MeasuredGap, AFaceThatIsUncertainByASixteenthIsAnywhere) {
+  for (const double slope : {4e12, 2e13, 1e14}) {
+    const double h = 1.0 / slope;
+    TriangleMesh mesh;  // through (20, 0, 0)
+    mesh.vertices = {{19, -1, -h}, {19, 1, -h}, {22, 0, 2 * h}};
+    mesh.faces = {{0, 1, 2}};
+    const NearFaces faces(mesh, 0.0);
+    const double uncertain = 64.0 * 0x1p-53 * slope;  // of the radius
+    const CertifiedGap found = measured_gap(faces, Vec3(20.0, 0.0, 0.0), Surface::ball);
+    ASSERT_EQ(found.cover, Cover::whole);
+    EXPECT_NEAR(found.low, uncertain < 1.0 / 16.0 ? -20.0 * uncertain : -20.0, 0.01) << slope;
+    EXPECT_NEAR(found.high, uncertain < 1.0 / 16.0 ? 20.0 * uncertain : 2.0, 0.01) << slope;
+  }
+}
+
 // Faces that are seen more and more edge-on, slivers, and points next to corners and edges, near and far.
 TEST(TheoremGap, HoldsTheExactGapOfSteepFacesAndSlivers) {
   std::mt19937_64 random(181);
@@ -242,6 +259,16 @@ TEST(CertifiedGap, OneImpingedVertexIsEnoughForThePose) {
   EXPECT_EQ((VerdictCount{5, 0, 0}).pose(), Verdict::clear);
   EXPECT_EQ((VerdictCount{5, 0, 1}).pose(), Verdict::undecided);
   EXPECT_EQ((VerdictCount{5, 1, 1}).pose(), Verdict::impinged);
+}
+
+TEST(CertifiedGap, VerticesAreCountedByTheirVerdicts) {
+  VerdictCount count;
+  for (int k = 0; k < 3; ++k) count.add(Verdict::clear);
+  for (int k = 0; k < 2; ++k) count.add(Verdict::impinged);
+  count.add(Verdict::undecided);
+  EXPECT_EQ(count.clear, 3U);
+  EXPECT_EQ(count.impinged, 2U);
+  EXPECT_EQ(count.undecided, 1U);
 }
 
 TEST(ExactSide, OfTheCentreIsWithinTheBallAndNeverBeyondTheSocket) {

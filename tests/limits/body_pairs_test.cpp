@@ -213,6 +213,42 @@ TEST(BodyPairs, ANeedleThroughAHoleIsInside) {
   }
 }
 
+// A point half a millimetre before a hole comes in with a shift of more than that. The rim is three times as
+// far.
+TEST(BodyPairs, ANeedleBeforeAHoleMayComeIn) {
+  TriangleMesh bone = sphere_at(10.0, 1, kFar);
+  const auto [a, b, c] = corners_of(bone, bone.faces[0]);
+  const Vec3 middle = (a + b + c) / 3.0;
+  const Vec3 out = area_vector(bone, bone.faces[0]).normalized();
+  const Vec3 across = 0.1 * out.unitOrthogonal();
+  const Vec3 aside = out.cross(across);
+  bone.faces.erase(bone.faces.begin());
+  const TriangleMesh needle{{middle + 0.5 * out, middle + 8.0 * out + across,
+                             middle + 8.0 * out - across + aside, middle + 8.0 * out - across - aside},
+                            {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+  for (const bool of_ball : {true, false}) {
+    const BodyPairs pairs(small_joint(), {{of_ball ? needle : bone}, {of_ball ? bone : needle}});
+    EXPECT_EQ(verdict(pairs).contact, Contact::no);
+    EXPECT_FALSE(pairs.may_meet({.shift_mm = 0.4}));
+    EXPECT_TRUE(pairs.may_meet({.shift_mm = 0.8}));
+  }
+}
+
+// Nor does a speck meet the surface of the body that a turn of a right angle puts round it.
+TEST(BodyPairs, ASpeckIsInsideWhereATurnTakesIt) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5 * kPi, Vec3::UnitZ()).toRotationMatrix();
+  for (const bool of_ball : {true, false}) {
+    const TriangleMesh ball = of_ball ? speck(kFar) : sphere_at(5.0, 2, kFar);
+    const TriangleMesh socket = of_ball ? sphere_at(5.0, 2, turn * kFar) : speck(turn * kFar);
+    const BodyPairs pairs(small_joint(), {{ball}, {socket}});
+    const auto take = [](const ClosePair&) { return true; };
+    EXPECT_TRUE(pairs.may_meet({.rotation = turn, .turn = 1e-3}));
+    EXPECT_FALSE(pairs.each_close({.rotation = turn, .turn = 1e-3}, false, take));
+    EXPECT_FALSE(pairs.may_meet({.rotation = turn.transpose(), .turn = 1e-3}));
+    EXPECT_TRUE(pairs.each_close({.rotation = turn.transpose(), .turn = 1e-3}, false, take));
+  }
+}
+
 // Faces towards the hollow are those of a socket, which does not hold what is in it. Behind the faces of a
 // part nothing is known, whichever way they are wound; a main surface is that of a head that was cropped.
 TEST(BodyPairs, WhatIsBehindASheetIsKnownOfMainSurfacesOnly) {
@@ -992,6 +1028,18 @@ TEST(NearBodies, FacesAboveEachOtherAreApartUntilTheyAreNear) {
       EXPECT_TRUE(NearBodies(poses, 0.0).may_meet({ball, socket, {}, {{0, 0}}})) << z;
       EXPECT_TRUE(NearBodies({.turn = turn}, 3.01).may_meet({ball, socket, {}, {{0, 0}}})) << z;
     }
+  }
+}
+
+// A turn by 18 degrees puts a corner of the ball's face on +z, 9.49 mm from the centre, beyond a socket
+// at 9.3.
+TEST(NearBodies, ACornerThatTurnsTowardsAPlaneMayMeetIt) {
+  const SweptParts ball({turn_face({3, 0, 9}, {-2, 2, 9}, {-2, -2, 9})});
+  const SweptParts socket({turn_face({-9, -9, 9.3}, {9, -9, 9.3}, {0, 9, 9.3})});
+  EXPECT_FALSE(NearBodies({.turn = 0.02}, 0.0).may_meet({ball, socket, {}, {{0, 0}}}));
+  for (const double turn : {0.33, 0.6, 0.9, 1.2, 1.5}) {
+    EXPECT_TRUE(NearBodies({.turn = turn}, 0.0).may_meet({ball, socket, {}, {{0, 0}}})) << turn;
+    EXPECT_TRUE(NearBodies({.turn = turn}, 0.0).may_meet({socket, ball, {}, {{0, 0}}})) << turn;
   }
 }
 

@@ -202,6 +202,35 @@ TEST(TheoremCentre, OfAThresholdBesideARim) {
   EXPECT_GT(bounded, cases / 10);
 }
 
+// Up to the lower end no centre has the threshold. Against the turn above, the tip comes in under the rim
+// that is nearest to the centre, where the gap jumps.
+TEST(TheoremCentre, OfAThresholdHasNoneBeforeTheLowerEnd) {
+  Dice random(26);
+  std::size_t lower = 0;
+  const std::size_t cases = random_cases() / 5;
+  for (std::size_t k = 0; k < cases; ++k) {
+    const BallSocketPair joint{head_with_a_tip(), slope(random.between(-2.0, -0.8), random.power(-2.0, 1.0),
+                                                        random.power(-2.0, 1.0))};
+    const JointTurn turn{.axis = -Vec3::UnitZ(), .inner = random.rotation()};
+    const CentreQuestion question{random.sign() > 0.0 ? CentreDoubt::common : CentreDoubt::play,
+                                  random.power(-2.0, 0.0), random.between(0.01, 0.1)};
+    const TriangleMesh ball = test::turned(joint.ball, turn.inner.transpose());
+    const TurnLimits limits({ball, joint.socket});
+    const TurnLimit limit = limits.gap_of(turn, question.gap_mm, kLargest);
+    const double low = limits.centre_interval(turn, limit, kLargest, question).low_deg;
+    lower += low > 0.0 ? 1 : 0;
+    for (int j = 0; low > 0.0 && j < 3 * kCentres; ++j) {
+      const test::OracleCentre at = centre_within(question, random);
+      const BallSocketPair about{test::turned(relative_to(ball, at.centre), turn.inner),
+                                 relative_to(joint.socket, at.centre)};
+      const test::TurnOracle oracle(about, turn.axis, {Vec3::Zero(), at.shift});
+      for (const double angle : {low, random.between(0.95, 1.0) * low, random.between(0.0, 1.0) * low})
+        ASSERT_GT(oracle.smallest_gap(angle, 1e-9L), question.gap_mm - 1e-9) << k << ": " << angle;
+    }
+  }
+  EXPECT_GT(lower, cases / 4);
+}
+
 // Three sheets with one border, which is none of the mesh: the tip crosses all three, and with play passes
 // beside them.
 TEST_P(TheoremCentre, OfSheetsThatShareABorder) {
@@ -489,6 +518,31 @@ TEST(CentreWalls, AreWhereAPointMayMeetThem) {
     }
   }
   for (const std::size_t found : of_kind) EXPECT_GT(found, 20U);
+}
+
+// Walls within an edge are made of k times its points, k from 0 to 1, where other centres add (1 - k) r: the
+// most at the least k of a triangle.
+TEST(CentreWalls, WithinAnEdgeAreNoFartherAndNoMoreInDoubtThanTheyMustBe) {
+  Dice random(24);
+  for (std::size_t k = 0; k < random_cases(); ++k) {
+    const auto corner = [&] { return Vec3(random.power(0.0, 1.3) * random.direction()); };
+    const TriangleMesh mesh{{corner(), corner()}, {}};
+    WallQuestion asked{false, k % 2 == 0, random.power(-2.0, 0.0), random.power(-1.0, 0.5)};
+    asked.nearest = random.power(-1.0, 1.0);
+    asked.farthest = asked.nearest * random.power(0.0, 1.0);
+    for (const TurnFace& face : shells(mesh, {{0, 1}}, asked)) {
+      double least = 1.0;
+      for (const Vec3& x : face.corner) {
+        const Vec3& of = mesh.vertices[x.normalized().dot(mesh.vertices[0].normalized()) >
+                                               x.normalized().dot(mesh.vertices[1].normalized())
+                                           ? 0
+                                           : 1];
+        EXPECT_LE(x.norm(), of.norm() * (1.0 + 1e-12));
+        least = std::min(least, x.norm() / of.norm());
+      }
+      EXPECT_NEAR(face.doubt, asked.common ? (1.0 - least) * asked.r : 0.0, 1e-9);
+    }
+  }
 }
 
 }  // namespace

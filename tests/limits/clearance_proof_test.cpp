@@ -263,6 +263,24 @@ TEST(ClearanceProof, OfATurnGoesAllTheWayRound) {
   EXPECT_EQ(says(20.0, 359.0), Says::open);
 }
 
+// Tetrahedra beside each other, of which the ball's turns about one axis after the other.
+TEST(ClearanceProof, OfATurnNamesItsAxis) {
+  const TriangleMesh ball{{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 1}},
+                          {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  TriangleMesh socket = ball;
+  for (Vec3& x : socket.vertices) x += Vec3(20, 20, 20);
+  const BallSocketPair pair{ball, socket};
+  const BodyPairs bodies(pair, {});
+  for (int k = 0; k < 3; ++k) {
+    for (const int sign : {1, -1}) {
+      const ClearanceProof proof =
+          prove_turn({pair, bodies, Vec3::Zero()}, {.axis = sign * Vec3::Unit(k)}, 90.0);
+      EXPECT_EQ(proof.says, Says::clear);
+      for (int l = 0; l < 3; ++l) EXPECT_EQ(proof.axis[static_cast<std::size_t>(l)], l == k ? sign : 0);
+    }
+  }
+}
+
 // Line by line as experiments/certificate_format.md has it.
 TEST(ClearanceProof, IsWrittenAsItsFormatSays) {
   ClearanceProof proof;

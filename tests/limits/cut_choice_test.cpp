@@ -3,6 +3,7 @@
 // away from the centre; and what a pose is said to be where no cut is left.
 #include "limits/cut_choice.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -11,6 +12,8 @@
 
 #include "mesh/bodies.hpp"
 #include "mesh/meeting_faces.hpp"
+#include "support/dice.hpp"
+#include "support/random_cases.hpp"
 
 namespace impinge {
 namespace {
@@ -41,6 +44,33 @@ TEST(ChooseCut, TakesNoSphereOfLessThanTheUnit) {
   EXPECT_EQ(choice_between(0.2 / 1024.0, 0.4 / 1024.0).cut.kind, ClearCut::Kind::plane);
 }
 
+// Triangles are apart exactly where some direction of the test separates them.
+TEST(WidestGap, IsAboveZeroExactlyWhereTrianglesAreApart) {
+  test::Dice dice(91);
+  int apart = 0;
+  int meeting = 0;
+  for (std::size_t k = 0; k < 10 * random_cases(); ++k) {
+    const auto any = [&] { return Triangle{dice.vector(), dice.vector(), dice.vector()}; };
+    const Triangle a = any();
+    Triangle b = any();
+    for (Vec3& x : b) x += dice.between(0.0, 2.0) * Vec3::UnitX();
+    const CutGap found = widest_gap(a, b);
+    ASSERT_NEAR(found.direction.norm(), 1.0, 1e-12);
+    double least = HUGE_VAL;
+    for (const Vec3& x : a) {
+      for (const Vec3& y : b) least = std::min(least, std::abs(found.direction.dot(y - x)));
+    }
+    if (std::abs(found.mm) < 1e-9) continue;
+    const bool meet = faces_meet(a, b);
+    ASSERT_EQ(found.mm > 0.0, !meet) << k;
+    if (!meet) {
+      EXPECT_NEAR(found.mm, least, 1e-12);
+    }
+    ++(meet ? meeting : apart);
+  }
+  EXPECT_GT(std::min(apart, meeting), static_cast<int>(random_cases()));
+}
+
 TriangleMesh many_times(const TriangleMesh& mesh, std::size_t times) {
   TriangleMesh many = mesh;
   many.faces.assign(times, mesh.faces.front());
@@ -62,6 +92,22 @@ TEST(ClearCuts, FacesThatAreThereManyTimesCrossAsOneDoes) {
   ASSERT_TRUE(touching.open);
   EXPECT_EQ(touching.open->degrees, 0.0);
   EXPECT_FALSE(answer(0.1).crossing || answer(0.1).open);
+}
+
+// Edges that cross a fiftieth of a millimetre above each other, of faces that lean away: only directions
+// within 0.1 degrees of the normal of both edges separate them, which is looked for if no other cut helps.
+TEST(ClearCuts, FacesThatAreThereManyTimesAreApartAsOneIs) {
+  const Vec3 n = Vec3(1, 2, 3).normalized();
+  const Vec3 u = n.unitOrthogonal();
+  const Vec3 w = (u + n.cross(u)).normalized();
+  const TriangleMesh below{{-5 * u, 5 * u, -6 * n + 3 * n.cross(u)}, {{0, 1, 2}}};
+  const TriangleMesh above{{0.02 * n - 5 * w, 0.02 * n + 5 * w, 6 * n + 3 * n.cross(w)}, {{0, 1, 2}}};
+  for (const std::size_t times : {1U, 17U}) {
+    const CutAnswer found = clear_cuts({many_times(below, times), 1e-9}, {many_times(above, times), 1e-9},
+                                       {.last = half_angle(0.0)});
+    EXPECT_FALSE(found.crossing || found.open) << times;
+    EXPECT_LT(found.cuts.size(), 20U) << times;
+  }
 }
 
 TEST(HalfAngle, OfNothingIsThatOfAPose) {

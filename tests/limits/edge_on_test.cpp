@@ -74,8 +74,8 @@ TEST(TheoremTurn, EdgeOnFacesStopWhereCgalSays) {
     if (at_start &&
         !SurfaceOverlay(joint.ball, joint.socket).impinged({turn.outer * turn.inner, Vec3::Zero()}))
       ++unseen;
-    for (std::size_t n = 0; n < 20; ++n)
-      ASSERT_FALSE(meet(dice.between(0.0, limit.low_deg - 1e-9)) && limit.low_deg > 0.0) << k;
+    for (std::size_t n = 0; n < 20 && limit.low_deg > 1e-9; ++n)
+      ASSERT_FALSE(meet(dice.between(0.0, limit.low_deg - 1e-9))) << k;
     if (limit.state == LimitState::limited) {
       ASSERT_TRUE(meet(limit.high_deg)) << k;
     }

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "contact/turn_surface.hpp"
 #include "hip/clock.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
@@ -17,6 +18,8 @@
 #include "mesh/bodies.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/generated_pair.hpp"
+#include "mesh/triangle_distance.hpp"
+#include "support/dice.hpp"
 #include "support/joined.hpp"
 #include "support/turned.hpp"
 
@@ -136,6 +139,31 @@ TEST(TurnLimit, EndsWhereTheMeshOfTheBallDoes) {
   const TurnLimit of_shell = TurnLimits({shell, socket}).first_contact(turn, 90.0);
   EXPECT_EQ(of_shell.state, LimitState::free);
   EXPECT_FALSE(of_shell.leaves_mesh_deg);
+}
+
+// Near edges are seen under up to 180 degrees.
+TEST(WallsBeyond, HoldAllThatIsBeyondAnEdge) {
+  test::Dice dice(31);
+  double widest = 0.0;
+  for (int round = 0; round < 300; ++round) {
+    const Vec3 middle = dice.power(-2.0, 1.0) * dice.direction();
+    const Vec3 along = dice.power(-1.0, 1.0) * dice.direction();
+    const TriangleMesh edge{{middle - along, middle + dice.between(0.1, 1.0) * along}, {}};
+    const double reach = dice.power(-1.0, 2.0);
+    const std::vector<TurnFace> walls = walls_beyond(edge, {{0, 1}}, reach);
+    widest = std::max(widest, angle_between(edge.vertices[0], edge.vertices[1]));
+    for (int k = 0; k < 40; ++k) {
+      const Vec3 y = edge.vertices[0] + dice.between(0.0, 1.0) * (edge.vertices[1] - edge.vertices[0]);
+      const Vec3 x = std::max(1.0, dice.between(0.0, 1.0) * reach / y.norm()) * y;
+      double least = HUGE_VAL;
+      for (const TurnFace& wall : walls) {
+        const auto& [a, b, c] = wall.corner;
+        least = std::min(least, std::sqrt(squared_distance_to_triangle(x, a, b, c)));
+      }
+      ASSERT_LE(least, 1e-9 * (x.norm() + reach)) << round;
+    }
+  }
+  EXPECT_GT(widest, 3.0);
 }
 
 // What the limit moves by when the common centre of both is off by t: to first order, t . (I - R)^T n.

@@ -11,12 +11,14 @@
 
 #include "mesh/bodies.hpp"
 #include "rotations/cap_floor.hpp"
+#include "rotations/radii_over_cap.hpp"
 #include "rotations/ray_spans.hpp"
 #include "rotations/seen_surface.hpp"
 #include "support/dice.hpp"
 #include "support/joined.hpp"
 #include "support/random_cases.hpp"
 #include "support/turned.hpp"
+#include "table/near_faces.hpp"
 
 namespace impinge {
 namespace {
@@ -94,6 +96,58 @@ TEST(CellParts, APolytopeOfTooManyFacesIsNothing) {
   }
 }
 
+// The two sides of a plane together are what was divided. Planes far from the middle cut small pieces off
+// polytopes that larger cuts have made. In so small a cell what the bound of a share leaves out does not
+// count.
+TEST(CellParts, SidesOfAPlaneAddUp) {
+  test::Dice dice(74);
+  const CellFrame frame({12, 12345678901});
+  const double all = CellPolytope().share(frame);
+  int cuts = 0;
+  for (std::size_t round = 0; round < random_cases(); ++round) {
+    CellPolytope left;
+    for (std::uint32_t n = 6; n < 16; ++n) {
+      const CellPlane plane = plane_across(dice.direction(), dice.between(-0.2, 1.6));
+      CellPolytope piece = left;
+      const double whole = left.share(frame);
+      ASSERT_TRUE(piece.clip(plane.opposite(), n));
+      ASSERT_TRUE(left.clip(plane, n));
+      EXPECT_NEAR(piece.share(frame) + left.share(frame), whole, 1e-6 * all) << round << " " << n;
+      if (!piece.empty() && !left.empty()) ++cuts;
+    }
+  }
+  EXPECT_GT(cuts, static_cast<int>(random_cases()));
+}
+
+// A prism of 24 sides, cut across: the new face has 24 corners, for which there is room.
+TEST(CellParts, APlaneThatCutsTwentyFourFacesIsKept) {
+  CellPolytope left;
+  for (std::uint32_t n = 6; n < 30; ++n) {
+    const double way = 2.0 * kPi * (7 * n % 24) / 24.0;
+    ASSERT_TRUE(left.clip(plane_across({std::cos(way), std::sin(way), 0.0}, 0.6), n));
+  }
+  const CellFrame frame({12, 12345678901});
+  const double area = 24.0 * 0.36 * std::tan(kPi / 24.0);  // of the circle's polygon
+  EXPECT_NEAR(left.share(frame), 0.25 * area * CellPolytope().share(frame), 1e-4 * left.share(frame));
+  const double whole = left.share(frame);
+  ASSERT_TRUE(left.clip(plane_across({0.0, 0.0, 1.0}, 0.0), 30));
+  EXPECT_TRUE(left.bounds(30));
+  EXPECT_NEAR(left.share(frame), 0.5 * whole, 1e-4 * whole);
+}
+
+// A bound without a slope is the same in all of the cell.
+TEST(CellParts, AFormWithoutASlopeIsAllOrNothing) {
+  for (const double value : {1e-9, 1.0, 1e9}) {
+    const CellPlane all = FormOverCell{value, Vec3::Zero(), 0.0}.plane();
+    const CellPlane none = FormOverCell{-value, Vec3::Zero(), 0.0}.plane();
+    for (const Vec3& t : {Vec3(0, 0, 0), Vec3(1, -1, 1)}) {
+      EXPECT_GT(all.at(t), 0.0);
+      EXPECT_LT(none.at(t), 0.0);
+      EXPECT_TRUE(std::isfinite(all.at(t)) && std::isfinite(none.at(t)));
+    }
+  }
+}
+
 // Thirty faces, as of two pyramids that slope up and down in turn: a plane cuts all of them.
 TEST(CellParts, APlaneThatCutsThirtyFacesLeavesNothing) {
   constexpr std::uint32_t kFaces = 30;
@@ -142,6 +196,38 @@ TEST(RaySpans, AreSetsOfRadii) {
 }
 
 // A direction on a side belongs to neither face.
+// A sphere with a patch before or behind it, whose rim has long edges, half of the caps near the rim: what
+// any ray meets is within the bounds.
+TEST(RadiiOverCap, HoldWhatARayMeets) {
+  test::Dice dice(77);
+  for (const Layer layer : {Layer::nearest, Layer::farthest}) {
+    const double patch = layer == Layer::nearest ? 15.0 : 30.0;
+    const TriangleMesh mesh = test::joined(sphere(20.0, 300), cup(patch, 40.0, 30));
+    const RadiiOverCap radii(mesh, layer);
+    const NearFaces faces(mesh, 0.0);
+    std::size_t bounded = 0;
+    for (std::size_t k = 0; k < random_cases(); ++k) {
+      const double tilt = (k % 2 == 0 ? dice.between(0.0, 180.0) : dice.between(34.0, 42.0)) * kDegree;
+      const double azimuth = dice.between(0.0, 2.0 * kPi);
+      const Vec3 axis(std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth), std::cos(tilt));
+      const DirectionCap cap{axis, dice.power(-3.0, -1.05)};
+      const double least = radii.least(cap);
+      const double largest = radii.largest(cap);
+      if (std::isfinite(least) && std::isfinite(largest)) ++bounded;
+      for (int n = 0; n < 20; ++n) {
+        const Vec3 about = axis.cross(dice.direction()).normalized();
+        const Vec3 u = Eigen::AngleAxisd(dice.between(0.0, cap.radius), about) * axis;
+        const double radius = faces.radius(u, layer);
+        if (std::isnan(radius)) continue;
+        EXPECT_LE(least, radius) << tilt;
+        EXPECT_GE(largest, radius) << tilt;
+      }
+    }
+    EXPECT_GT(bounded, random_cases() / 3);
+    EXPECT_LT(bounded, random_cases());
+  }
+}
+
 TEST(CapFloor, FindsTheFaceThatHoldsADirection) {
   const TriangleMesh mesh = test::askew(sphere(20.0, 500));
   const SeenSurface surface(mesh, Layer::farthest);

@@ -3,6 +3,7 @@
 // centre as large as the ball, hints that say nothing, and surfaces that nearly touch all round.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -84,8 +85,10 @@ TEST(CellTest, PartsAreRightWhateverTheHint) {
     const Eigen::AngleAxisd tilt((70.0 + dice.between(-6.0, 6.0)) * kDegree,
                                  Vec3(std::cos(way), std::sin(way), 0.0));
     const RotationCell cell = cell_near(quaternion_of(tilt), dice, 6, 9);
-    const CellHint hint{some(joint.ball.faces.size()), some(joint.socket.faces.size()), CellHint::kNone,
-                        true};
+    const bool of_ball = dice.sign() > 0.0;
+    const Surface of = of_ball ? Surface::ball : Surface::socket;
+    const CellHint hint{some(joint.ball.faces.size()), some(joint.socket.faces.size()),
+                        some(test.surface(of).vertices().size()), of_ball};
     expect_right(search.part_of(cell, hint), cell, overlay, dice, said);
   }
   EXPECT_GT(said.free, random_cases() / 50);
@@ -282,6 +285,129 @@ TEST(CellTest, DecidesNothingIfTheCentreMayBeOutsideOfTheBall) {
   test::Dice dice(87);
   for (int k = 0; k < 20; ++k)
     EXPECT_EQ(CellSearch(test).decide(cell_near(dice.quaternion(), dice, 0, 9)).state, CellState::open);
+}
+
+// Nor does a centre on a face, which some others have on this side of it and some on that.
+TEST(CellTest, DecidesNothingIfAFaceOfTheBallHasACornerInTheCentre) {
+  TriangleMesh ball = sphere(20.0, 200);
+  test::add_face(ball, Vec3::Zero(), {5.0, 0.0, 0.0}, {0.0, 5.0, 1.0});
+  const CellTest test({ball, cup(26.0, 70.0, 200)}, {0.5, 0.1});
+  test::Dice dice(88);
+  for (int k = 0; k < 20; ++k)
+    EXPECT_EQ(CellSearch(test).decide(cell_near(dice.quaternion(), dice, 0, 9)).state, CellState::open);
+}
+
+// A spike that is longer than the farthest corner of a face, of which no plane is known.
+TEST(CellTest, BlocksBeyondAFaceThatIsTooWide) {
+  TriangleMesh socket;
+  test::add_face(socket, {-120.0, -60.0, 26.0}, {0.0, 120.0, 26.0}, {120.0, -60.0, 26.0});
+  TriangleMesh ball = sphere(20.0, 200);
+  test::add_face(ball, {1.0, 0.0, 19.0}, {-1.0, 1.0, 19.0}, {0.0, 0.0, 150.0});
+  const CellTest test({ball, socket});
+  ASSERT_TRUE(test.surface(Surface::socket).faces()[0].plane.isZero(0.0));
+  const auto& vertices = test.surface(Surface::ball).vertices();
+  const auto tip = static_cast<std::uint32_t>(
+      std::ranges::max_element(vertices, {}, [](const Vec3& x) { return x.z(); }) - vertices.begin());
+  const CellHint hint{CellHint::kNone, CellHint::kNone, tip, true};
+  EXPECT_EQ(CellSearch(test).decide(RotationBall{Eigen::Matrix3d::Identity(), 0.01}, hint).state,
+            CellState::blocked);
+}
+
+// A corner of the socket that is in the spike, and that some turns by up to 0.6 leave beside it.
+TEST(CellTest, ACornerInASpikeBlocksWhereTheSpikeStays) {
+  TriangleMesh socket;
+  test::add_face(socket, {0.8, 0.5, 22.0}, {3.0, 30.0, 30.0}, {-3.0, 30.0, 30.0});
+  const BallSocketPair joint{ball_with_a_spike(), socket};
+  test::ExactTouch overlay(joint);
+  const CellTest test(joint);
+  const auto& vertices = test.surface(Surface::socket).vertices();
+  const auto tip = static_cast<std::uint32_t>(
+      std::ranges::min_element(vertices, {}, [](const Vec3& x) { return x.norm(); }) - vertices.begin());
+  const CellHint hint{CellHint::kNone, CellHint::kNone, tip, false};
+  const auto state = [&](double radius) {
+    return CellSearch(test).decide(RotationBall{Eigen::Matrix3d::Identity(), radius}, hint).state;
+  };
+  EXPECT_EQ(state(0.01), CellState::blocked);
+  const Eigen::AngleAxisd aside(0.6, Vec3::UnitX());
+  ASSERT_FALSE(overlay.impinged({aside.toRotationMatrix(), Vec3::Zero()}));
+  EXPECT_EQ(state(0.6), CellState::open);
+}
+
+// About another centre a quarter turn takes the ball away from a corner of the socket that is half a
+// millimetre in it.
+TEST(CellTest, ACornerBlocksOnlyIfItDoesForEveryCentre) {
+  TriangleMesh socket;
+  test::add_face(socket, {0.7, 0.9, 19.0}, {3.0, 30.0, 30.0}, {-3.0, 30.0, 30.0});
+  const BallSocketPair joint{icosphere(20.0, 3), socket};
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5 * kPi, Vec3::UnitX()).toRotationMatrix();
+  const Vec3 off = 0.99 * Vec3(0.0, std::sqrt(0.5), -std::sqrt(0.5));  // (I - R) off is 1.4 mm along -z
+  const BallSocketPair other{relative_to(joint.ball, off), relative_to(joint.socket, off)};
+  ASSERT_TRUE(test::ExactTouch(joint).impinged({turn, Vec3::Zero()}));
+  ASSERT_FALSE(test::ExactTouch(other).impinged({turn, Vec3::Zero()}));
+  for (const double within : {0.2, 1.0}) {
+    const CellTest test(joint, {0.0, within});
+    const auto& vertices = test.surface(Surface::socket).vertices();
+    const auto tip = static_cast<std::uint32_t>(
+        std::ranges::min_element(vertices, {}, [](const Vec3& x) { return x.norm(); }) - vertices.begin());
+    const CellHint hint{CellHint::kNone, CellHint::kNone, tip, false};
+    EXPECT_EQ(CellSearch(test).decide(RotationBall{turn, 1e-3}, hint).state,
+              within < 0.5 ? CellState::blocked : CellState::open);
+  }
+}
+
+// A small face of the ball twice as far out as one of the socket, beside it: a centre 0.98 mm off sees one
+// behind the other.
+TEST(CellTest, FacesBesideEachOtherTouchForAnotherCentre) {
+  constexpr double kBeside = 0.0245;  // radians
+  BallSocketPair joint{icosphere(10.0, 3), {}};
+  const Vec3 x(0.0, 0.0, 40.0);
+  const Vec3 y(20.0 * std::sin(kBeside), 0.0, 20.0 * std::cos(kBeside));
+  for (const auto& [mesh, at] : {std::pair{&joint.ball, x}, {&joint.socket, y}})
+    test::add_face(*mesh, at + Vec3(1e-3, 0, 0), at + Vec3(-5e-4, 8e-4, 0), at + Vec3(-5e-4, -8e-4, 0));
+  const Vec3 off = y + y.z() / (x.z() - y.z()) * (y - x);
+  ASSERT_LT(off.norm(), 1.0);
+  const BallSocketPair other{relative_to(joint.ball, off), relative_to(joint.socket, off)};
+  const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity();
+  ASSERT_TRUE(test::ExactTouch(other).impinged({rest, Vec3::Zero()}));
+  for (const double within : {0.1, 1.0}) {
+    const CellTest test(joint, {0.0, within});
+    EXPECT_EQ(CellSearch(test).decide(RotationBall{rest, 1e-6}).state,
+              within < 0.5 ? CellState::free : CellState::open);
+  }
+}
+
+// A gap is along rays from the centre: one 1 mm off sees a small face of the ball 9 mm below a corner of the
+// socket that is beside it.
+TEST(CellTest, AGapReachesAsideForAnotherCentre) {
+  constexpr double kGap = 9.0;
+  const Vec3 y(0.0, 0.0, 20.0);
+  const Vec3 off(0.999, 0.0, 0.0);
+  const Vec3 below = 1.002 * (y - kGap * (y - off).normalized());
+  BallSocketPair joint{icosphere(10.2, 3), {}};
+  test::add_face(joint.ball, below + Vec3(1e-2, 0, 0), below + Vec3(-5e-3, 8e-3, 0),
+                 below + Vec3(-5e-3, -8e-3, 0));
+  test::add_face(joint.socket, y, y + Vec3(1e-4, 1e-4, 1.0), y + Vec3(1e-4, -1e-4, 1.0));
+  const BallSocketPair other{relative_to(joint.ball, off), relative_to(joint.socket, off)};
+  const auto least = CulledJoint(other).least_gap({});
+  ASSERT_TRUE(least && least->gap_mm < kGap);
+  for (const double within : {0.1, 1.0}) {
+    const CellTest test(joint, {kGap, within});
+    EXPECT_EQ(CellSearch(test).decide(RotationBall{Eigen::Matrix3d::Identity(), 1e-6}).state,
+              within < 0.5 ? CellState::free : CellState::open);
+  }
+}
+
+// What was learnt of a cell says nothing of rotations elsewhere.
+TEST(CellTest, AsksOfABallOfRotationsWhateverWasEntered) {
+  const BallSocketPair joint{sphere(20.0, 300), test::with_back(cup(26.0, 70.0, 300), cup(30.0, 70.0, 300))};
+  const CellTest test(joint);
+  CellSearch search(test);
+  test::Dice dice(89);
+  for (int k = 0; k < 20; ++k) {
+    search.enter(cell_near(dice.quaternion(), dice, 5, 6));
+    const RotationBall about{dice.rotation(), 0.01};
+    EXPECT_EQ(search.decide(about).state, CellSearch(test).decide(about).state);
+  }
 }
 
 // About a quarter turn the cap of a vertex is too wide to be asked about, though that of all rotations is

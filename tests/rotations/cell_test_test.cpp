@@ -378,6 +378,20 @@ TEST(RotationCells, HoldWhatTheyAreFoundFor) {
   }
 }
 
+// Quaternions with components of one size lie on borders: of the first cell, of the last one, and of two
+// cubes.
+TEST(RotationCells, HoldTheirBorders) {
+  for (const std::uint32_t level : {0U, 1U, 5U, kFinestCells}) {
+    for (int k = 0; k < 81; ++k) {
+      const Quaternion4 q(k % 3 - 1, k / 3 % 3 - 1, k / 9 % 3 - 1, k / 27 - 1);
+      if (q.isZero(0.0)) continue;
+      const RotationCell cell = cell_of(q, level);
+      ASSERT_LT(cell.number >> (3 * level), 4U);
+      EXPECT_LE(CellFrame(cell).place(q).cwiseAbs().maxCoeff(), 1.0) << q.transpose() << " " << level;
+    }
+  }
+}
+
 // The farthest of a fine grid of points of a cell, by the angle of the matrices.
 TEST(TheoremVolume, RadiusIsTheLeast) {
   std::mt19937_64 engine(9);

@@ -2,8 +2,12 @@
 // Volumes of joints whose neutral pose is blocked or on a border, and volumes that end at once or go down to
 // the finest cell.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -139,6 +143,83 @@ TEST(MotionVolume, ReachesNoFreePartFromABlockedOne) {
   EXPECT_EQ(volume.at(Quaternion4::Unit(0)).state, CellState::blocked);
   EXPECT_GT(volume.shares().free, 0.9);
   EXPECT_EQ(volume.shares().reachable_low, 0.0);
+}
+
+// Cells are joined where one of nine places on their common side is free in both: by the cells alone, in a
+// search from the neutral pose that looks across every side of every cell.
+std::size_t expect_joined(const MotionVolume& volume) {
+  std::vector<VolumeCell> all;
+  std::map<std::pair<std::uint32_t, std::uint64_t>, std::size_t> index;
+  volume.for_each([&](const VolumeCell& at) {
+    index[{at.cell.level, at.cell.number}] = all.size();
+    all.push_back(at);
+  });
+  const auto is_free = [](const VolumeCell& at, const Quaternion4& q) {
+    return at.state == CellState::free ||
+           (at.part != nullptr && at.part->is_free(CellFrame(at.cell).place(q)));
+  };
+  std::vector<std::vector<std::size_t>> joined(all.size());
+  std::vector<std::size_t> pending;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const RotationCell& cell = all[k].cell;
+    if (cell_of(Quaternion4::Unit(0), cell.level).number >> (3 * cell.level) ==
+            cell.number >> (3 * cell.level) &&
+        CellFrame(cell).place(Quaternion4::Unit(0)).cwiseAbs().maxCoeff() <= 1.0 &&
+        is_free(all[k], Quaternion4::Unit(0)))
+      pending.push_back(k);
+    for (std::size_t side = 0; side < 6; ++side) {
+      RotationCell other = beside(cell, side);
+      while (other.level > 0 && !index.contains({other.level, other.number})) other = parent(other);
+      const auto found = index.find({other.level, other.number});
+      if (found == index.end()) continue;  // it is divided
+      for (int place = 0; place < 9; ++place) {
+        std::array<double, 3> along{};
+        along[side / 2] = side % 2 == 1 ? 1.0 : -1.0;
+        along[(side / 2 + 1) % 3] = place % 3 - 1;
+        along[(side / 2 + 2) % 3] = place / 3 - 1;
+        const Quaternion4 q = point_of(cell, along);
+        if (!is_free(all[k], q) || !is_free(all[found->second], q)) continue;
+        joined[k].push_back(found->second);
+        joined[found->second].push_back(k);
+      }
+    }
+  }
+  std::vector<bool> reached(all.size(), false);
+  for (const std::size_t k : pending) reached[k] = true;
+  while (!pending.empty()) {
+    const std::size_t k = pending.back();
+    pending.pop_back();
+    for (const std::size_t other : joined[k]) {
+      if (reached[other]) continue;
+      reached[other] = true;
+      pending.push_back(other);
+    }
+  }
+  double low = 0.0;
+  std::size_t parts = 0;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all[k].state == CellState::free) {
+      EXPECT_EQ(all[k].reachable, reached[k]) << k;
+    }
+    if (!reached[k]) continue;
+    low += all[k].state == CellState::free ? share(all[k].cell) : all[k].part->free_share;
+    if (all[k].part != nullptr) ++parts;
+  }
+  EXPECT_NEAR(volume.shares().reachable_low, low, 1e-12);
+  return parts;
+}
+
+TEST(MotionVolume, ReachesWhatSharesAFreePlace) {
+  const std::vector<CellVerdict> known = known_to_the_neutral_pose();
+  std::size_t parts = 0;
+  for (const double apart : {22.2, 23.0}) {
+    const TwoSpheres spheres(TwoSpheres::angle(apart));
+    const CellTest test = spheres.test();
+    for (const std::size_t cells : {275U, 700U})
+      parts += expect_joined(
+          MotionVolume(test, {.width = 1e-9, .most_cells = cells, .threads = 1, .known = known}));
+  }
+  EXPECT_GT(parts, 20U);
 }
 
 // All that was known before is free, but for the first eighth of each cell.

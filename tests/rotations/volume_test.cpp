@@ -144,11 +144,14 @@ TEST(MotionVolume, PartsOfCellsAreFreeAndBlocked) {
   const BallSocketPair joint{hip.ball, hip.socket};
   const CellTest test(joint);
   std::vector<CellVerdict> reached;
+  double open = 0.0;
   VolumeSettings settings = {.width = 0.03, .threads = 1};
-  settings.reached = [&](std::span<const CellVerdict> batch, double) {
+  settings.reached = [&](std::span<const CellVerdict> batch, double left) {
     reached.insert(reached.end(), batch.begin(), batch.end());
+    open = left;
   };
   const MotionVolume volume(test, settings);
+  EXPECT_NEAR(open, volume.shares().open, 1e-9);
   const MotionVolume again(test, {.width = 0.03, .threads = 3, .known = std::span(reached).first(20000)});
   EXPECT_EQ(again.shares().free, volume.shares().free);
   EXPECT_EQ(again.shares().blocked, volume.shares().blocked);

@@ -140,5 +140,14 @@ TEST(FacePlane, CountsTheDistancesOfAFace) {
   }
 }
 
+// A strip 1 mm wide whose far end passes the centre at 1 mm: t = 100, whichever side is named first.
+TEST(FacePlane, CountsTheLongerSideOfAStrip) {
+  const Vec3 a(100, 0, 1);
+  const Vec3 near(100, 1, 1);
+  const Vec3 far(-100, 1, 1);
+  EXPECT_TRUE(face_plane(a, near, far, orientation(a, near, far)).exact);
+  EXPECT_TRUE(face_plane(a, far, near, orientation(a, far, near)).exact);
+}
+
 }  // namespace
 }  // namespace impinge
