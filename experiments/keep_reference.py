@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Keeps verdicts and tables of a finished full run in results/reference/, where the report finds what it shows beside those
-of any other run. Verdicts and findings of the run that was kept before go to results/reference/earlier/, if it was of another
+of any other run. Verdicts and findings of the run that was kept before go to results/reference/earlier/DAY/, if it was of another
 day; experiments/compare.py compares the two.
 
 It refuses, with one line that says why, unless the run has the full profile and is complete, every CSV has the bytes that its
@@ -100,7 +100,7 @@ def day(reference: Path) -> str:
 
 
 def keep(results: Path, tables: list[str], run: dict, reference: Path) -> None:
-    """Replaces the folder once everything is written. What the older run left in it goes to earlier/, or is removed."""
+    """Replaces the folder once everything is written. What the older run left in it goes to earlier/DAY, or is removed."""
     reference.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=reference.parent, prefix=".reference-") as folder:
         staged = Path(folder)
@@ -109,10 +109,9 @@ def keep(results: Path, tables: list[str], run: dict, reference: Path) -> None:
             shutil.copyfile(results / name, staged / name)
         (staged / "run.json").write_text(json.dumps(run, indent=2, sort_keys=True) + "\n")
         if day(reference) not in ("", run["started_utc"][:10]):
-            earlier = reference / "earlier"
-            earlier.mkdir(exist_ok=True)
+            earlier = reference / "earlier" / day(reference)
+            earlier.mkdir(parents=True, exist_ok=True)
             for name in EARLIER:
-                (earlier / Path(name).name).unlink(missing_ok=True)
                 if (reference / name).exists():
                     shutil.copyfile(reference / name, earlier / Path(name).name)
         if (reference / "tables").exists():

@@ -3,7 +3,7 @@
 # @question  Everything on one page: verdicts, tables, figures, and where each number comes from.
 # @outputs   report.html
 # @seconds   8 8
-# @depends   SHOWN GRAPH results/reference/{verdicts.csv,run.json,tables/*.csv,earlier/*}
+# @depends   SHOWN GRAPH results/reference/{verdicts.csv,run.json,tables/*.csv,earlier/*/*}
 # @depends   analysis/report/*.{css,js} analysis/node_modules/plotly.js-basic-dist-min/plotly-basic.min.js
 # @options   --jobs GRAPH
 """The report: one HTML file that needs nothing else; what it only links lies beside it. From verdicts.csv, and every table, figure and sidecar

@@ -27,10 +27,12 @@ def described(folder: Path) -> str:
 
 
 def agreement(folder: Path) -> str:
-    """How far the full run kept before, of another day, gives the same verdicts; empty where none is kept."""
-    earlier = folder / "earlier"
-    if not (earlier / "verdicts.csv").is_file():
-        return ""
+    """How far the full runs kept before, of other days, give the same verdicts; empty where none is kept."""
+    return ". ".join(agreement_of(folder, earlier) for earlier in sorted((folder / "earlier").glob("*"), reverse=True))
+
+
+def agreement_of(folder: Path, earlier: Path) -> str:
+    """The same of one of them."""
     both = common.as_text(folder / "verdicts.csv").merge(common.as_text(earlier / "verdicts.csv"), on=[*KEYS, *RULE], suffixes=("", "_earlier"))
     same = (both.verdict == both.verdict_earlier).sum()
     flips = both[["verdict", "verdict_earlier"]].isin(["reproduced", "differs"]).all(axis=1) & (both.verdict != both.verdict_earlier)
