@@ -262,7 +262,7 @@ TEST(MotionVolume, WithPlayIsTheSameAgain) {
   std::vector<CellVerdict> reached;
   const auto cells = [&](const CellTest& test, std::size_t threads, std::span<const CellVerdict> known) {
     reached.clear();
-    VolumeSettings settings = {.width = 0.15, .threads = threads, .known = known};
+    VolumeSettings settings = {.width = 0.3, .threads = threads, .known = known};
     settings.reached = [&](std::span<const CellVerdict> batch, double) {
       reached.insert(reached.end(), batch.begin(), batch.end());
     };
