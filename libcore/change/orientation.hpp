@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// In which orientations of the socket are required motions free? A map over radiographic inclination and
-/// anteversion (hip/cup_angles.hpp), as cells that are free, blocked or still open. Theorem 15 (orientation).
+/// anteversion (hip/cup_angles.hpp), as cells that are free, blocked or still open. Theorem 16 (orientation).
 ///
 ///   free     every part of every leg (change/required_motion.hpp) is free in all orientations of the cell
 ///   blocked  some part is blocked in all of its poses and in all orientations of the cell

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of the ball, or of the socket, has to be removed so that required motions are reached with a clearance
 // c? The least radial cut, and of the ball also the least cut of all. Sizes lie between proven ends:
-// Theorem 16 (resection).
+// Theorem 17 (resection).
 //
 // Radial cut of the ball. Along u it keeps bone up to the radius E(u) - c, E the least radius of the socket
 // that u meets on the required paths (change/swept_radius.hpp). No larger star-shaped part keeps the

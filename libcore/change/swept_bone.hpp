@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which radii, in the frame of the ball, does the bone of the socket sweep through during required motions?
-// Bone is thickened by a clearance c at both ends of every ray. Theorem 17 (sweep).
+// Bone is thickened by a clearance c at both ends of every ray. Theorem 18 (sweep).
 #pragma once
 
 #include <vector>

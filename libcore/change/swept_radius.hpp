@@ -2,7 +2,7 @@
 // How far out may the ball reach in a direction u of its own frame, so that no required pose R brings it to
 // the socket? E(u) is the least S(R u) over the required motions (change/required_motion.hpp), S the radius
 // of the socket's nearest layer. And how far out does the ball come in a direction v of the socket's frame?
-// F(v) is the largest B(R^T v), B the radius of the ball's farthest layer. Theorem 16 (resection).
+// F(v) is the largest B(R^T v), B the radius of the ball's farthest layer. Theorem 17 (resection).
 #pragma once
 
 #include <span>

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 #include <vector>
 
@@ -22,9 +23,9 @@ namespace impinge {
 namespace {
 
 // Version of the test and order of cells; verdicts of another version are not taken.
-constexpr const char* kVerdicts = "volume 5";
+constexpr const char* kVerdicts = "volume 6";
 
-// Verdicts of an interrupted run, as bytes: four words each, and a fifth that belongs to this place, question
+// Verdicts of an interrupted run, as bytes: five words each, and a sixth that belongs to this place, question
 // and version. From the first that does not match, everything is worked out again.
 class VerdictFile {
  public:
@@ -62,12 +63,14 @@ class VerdictFile {
   VerdictFile& operator=(const VerdictFile&) = delete;
 
  private:
-  using Words = std::array<std::uint32_t, 5>;
+  using Words = std::array<std::uint32_t, 6>;
 
   std::string bytes_of(const CellVerdict& verdict, std::size_t place) const {
     const CellHint& hint = verdict.hint;
+    const auto half = [&](std::size_t k) { return std::uint32_t{static_cast<std::uint16_t>(hint.shift[k])}; };
     Words words{hint.ball_face, hint.socket_face, hint.vertex,
-                static_cast<std::uint32_t>(verdict.state) + (hint.of_ball ? 4U : 0U)};
+                static_cast<std::uint32_t>(verdict.state) + (hint.of_ball ? 4U : 0U) + (half(0) << 16U),
+                half(1) + (half(2) << 16U)};
     std::string bytes(sizeof words, '\0');
     std::memcpy(bytes.data(), words.data(), sizeof words);
     words.back() = static_cast<std::uint32_t>(fnv1a(bytes, key_ + place) >> 32U);
@@ -78,9 +81,13 @@ class VerdictFile {
     Words words;
     for (std::size_t at = 0; at + sizeof words <= bytes.size(); at += sizeof words) {
       std::memcpy(words.data(), bytes.data() + at, sizeof words);
+      const auto half = [](std::uint32_t bits) {
+        return static_cast<std::int16_t>(static_cast<std::uint16_t>(bits));
+      };
+      const ShiftSteps shift{half(words[3] >> 16U), half(words[4]), half(words[4] >> 16U)};
       const CellVerdict verdict{static_cast<CellState>(words[3] % 4),
-                                {words[0], words[1], words[2], words[3] >= 4}};
-      if (words[3] >= 8 || bytes.compare(at, sizeof words, bytes_of(verdict, known_.size())) != 0) return;
+                                {words[0], words[1], words[2], (words[3] & 4U) != 0, shift}};
+      if (bytes.compare(at, sizeof words, bytes_of(verdict, known_.size())) != 0) return;
       known_.push_back(verdict);
     }
   }
@@ -95,14 +102,19 @@ class VerdictFile {
   std::ofstream out_;
 };
 
-std::shared_ptr<TemporaryFile> write_cells(const std::filesystem::path& path, const MotionVolume& volume) {
+std::shared_ptr<TemporaryFile> write_cells(const std::filesystem::path& path, const MotionVolume& volume,
+                                           bool with_play) {
   constexpr std::size_t kAtOnce = std::size_t{1} << 24;
   auto file = std::make_shared<TemporaryFile>(path);
   std::string text;
-  for (const Column& column : columns_of<VolumeRow>()) text += (text.empty() ? "" : ",") + column.name;
+  std::vector<Column> columns = columns_of<VolumeRow>();
+  if (with_play) std::ranges::copy(columns_of<ShiftRow>(), std::back_inserter(columns));
+  for (const Column& column : columns) text += (text.empty() ? "" : ",") + column.name;
   text += "\n";
   volume.for_each([&](const VolumeCell& at) {
-    text += csv_line(cells_of(volume_row(at)));
+    auto cells = cells_of(volume_row(at));
+    if (with_play) std::ranges::copy(cells_of(shift_row(at)), std::back_inserter(cells));
+    text += csv_line(cells);
     if (text.size() < kAtOnce) return;
     file->write(text);
     text.clear();
@@ -125,12 +137,14 @@ std::string never_decided(const SessionJoint& joint, const BodyPairs& bodies) {
          "joint";
 }
 
-std::string words_of_volume(const VolumeAnswer& found, double width, const std::string& why) {
+std::string words_of_volume(const VolumeAnswer& found, const VolumeRequest& request, const std::string& why) {
   const VolumeShares& shares = found.shares();
   std::string text = formatted("free                %.2f to %.2f %% of all rotations", 100.0 * shares.low(),
                                100.0 * shares.high());
   if (shares.unknown > 0.0)
     text += formatted("; of %.2f %% nothing is known: the ball's mesh ends there", 100.0 * shares.unknown);
+  if (request.play_mm > 0.0)
+    text += formatted("; each with some shift of the ball, up to %g mm", request.play_mm);
   text += formatted(
       "\nmobility            %.2f to %.2f million degrees^3 of 14.85, weighted by the cosine\n"
       "                    of bones alone: ligaments and muscles forbid most of what bones allow",
@@ -139,7 +153,9 @@ std::string words_of_volume(const VolumeAnswer& found, double width, const std::
   if (found.neutral_blocked()) return text + "\nreachable           none: the pose of the scan is blocked\n";
   text += formatted("\nreachable           %.2f to %.2f %% from the pose of the scan without contact\n",
                     100.0 * shares.reached(), 100.0 * shares.within_reach());
-  if (shares.open > width)
+  if (request.play_mm > 0.0)
+    text += "                    at least: without a shift, for between two shifts bones may meet\n";
+  if (shares.open > request.width)
     text += formatted("undecided           %.2f %%: more than was wanted, after %zu cells\n",
                       100.0 * shares.open, shares.cells) +
             (why.empty() ? "" : "                    " + why + "\n");
@@ -167,7 +183,7 @@ VolumeAnswer refined(Session& session, const VolumeRequest& request, const Work&
              formatted(" cells, %.3f of all rotations open, %.3f wanted", open, request.width));
   };
   VolumeAnswer found = answer(session, request, how);
-  if (work.out) told.wrote = {write_cells(work.output("volume.csv"), found.volume)};
+  if (work.out) told.wrote = {write_cells(work.output("volume.csv"), found.volume, request.play_mm > 0.0)};
   if (part) told.spent = {part->file()};
   return found;
 }
@@ -179,7 +195,7 @@ Told tell_volume(Session& session, const VolumeRequest& request, const Work& wor
   const std::string why = never_decided(*session.joint, session.joint->bodies());
   if (!why.empty()) work.say(why);
   const VolumeAnswer found = refined(session, request, work, told);
-  told.words = words_of_volume(found, request.width, why);
+  told.words = words_of_volume(found, request, why);
   told.document = json_of(found);
   for (const char* share : {"share_low", "share_high", "reachable_low", "reachable_high", "unknown", "open"})
     told.row_of_one.push_back({share, std::string("/") + share});

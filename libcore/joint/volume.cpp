@@ -20,7 +20,9 @@ VolumeMotion motion_in(const MotionVolume& volume, const SessionJoint& joint, co
   if (!limit.stops) return found;
   const CellHint& hint = limit.stops->hint;
   if (hint.socket_face == CellHint::kNone) {
-    if (const auto pair = test.bodies().may_meet(test.poses_near(ball_about(limit.stops->cell)), true)) {
+    const Vec3 shift = shift_of(hint, test.question().play_mm);
+    const NearPoses poses = test.poses_near(ball_about(limit.stops->cell), shift);
+    if (const auto pair = test.bodies().may_meet(poses, true)) {
       found.ball_part = body_name(joint.joint.ball.parts, pair->ball);
       found.socket_part = body_name(joint.joint.socket.parts, pair->socket);
     }
@@ -54,6 +56,11 @@ VolumeRow volume_row(const VolumeCell& at) {
   return row;
 }
 
+ShiftRow shift_row(const VolumeCell& at) {
+  if (!at.shift) return {};
+  return {at.shift->x(), at.shift->y(), at.shift->z()};
+}
+
 CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const CellQuestion& question) {
   const JointPart& of_ball = joint.joint.ball;
   const TriangleMesh ball = in_joint_frame(joint, of_ball.mesh);
@@ -66,8 +73,10 @@ CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const 
 
 VolumeAnswer answer(Session& session, const VolumeRequest& request, VolumeSettings how) {
   const SessionJoint& joint = *session.joint;
-  const CellTest test = cell_test(joint, joint.joint.socket.mesh, {request.gap_mm, request.centre_within_mm});
+  const CellTest test =
+      cell_test(joint, joint.joint.socket.mesh, {request.gap_mm, request.centre_within_mm, request.play_mm});
   how.width = request.width;
+  if (request.play_mm > 0.0) how.most_cells = std::min(how.most_cells, kMostPlayCells);
   VolumeAnswer found{
       .motions = {}, .by_radii = test.bodies().has_radial(), .volume = MotionVolume(test, how)};
   if (!joint.side) return found;

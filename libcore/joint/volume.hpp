@@ -21,6 +21,7 @@ struct VolumeRequest {
   double width = 0.05;
   double gap_mm = 0.0;
   double centre_within_mm = 0.0;
+  double play_mm = 0.0;
 
   static constexpr const char* kThresholdOption = "--gap";
   double threshold_mm() const { return gap_mm; }
@@ -31,7 +32,10 @@ struct VolumeRequest {
       Field{"gap_mm", "mm", "gaps up to this count as contact, e.g. the cartilage's thickness",
             &VolumeRequest::gap_mm, kNotNegative},
       Field{"centre_within_mm", "mm", "the answer holds for every common centre within this distance",
-            &VolumeRequest::centre_within_mm, kNotNegative}};
+            &VolumeRequest::centre_within_mm, kNotNegative},
+      Field{"play_mm", "mm",
+            "a rotation is free if it is with some shift of the ball up to this, blocked if with none",
+            &VolumeRequest::play_mm, kNotNegative}};
 };
 
 /// What stops a motion, as far as the cells tell.
@@ -137,10 +141,28 @@ struct VolumeRow {
 };
 VolumeRow volume_row(const VolumeCell& at);
 
+/// Columns that a row has besides with play: the shift of the ball with which a cell is free.
+struct ShiftRow {
+  std::optional<double> shift_x_mm;
+  std::optional<double> shift_y_mm;
+  std::optional<double> shift_z_mm;
+
+  static constexpr std::tuple fields{
+      Field{"shift_x_mm", "mm", "of the ball to the right, with which all of a free cell is",
+            &ShiftRow::shift_x_mm},
+      Field{"shift_y_mm", "mm", "anterior", &ShiftRow::shift_y_mm},
+      Field{"shift_z_mm", "mm", "superior", &ShiftRow::shift_z_mm}};
+};
+ShiftRow shift_row(const VolumeCell& at);
+
 /// The most cells that programs allow; they take some gigabytes of memory.
 inline constexpr std::size_t kMostVolumeCells = 20'000'000;
 
-/// The width in `how` is replaced by the request's. Throws as CellTest and MotionVolume do.
+/// The most with play, where a cell takes several times as long.
+inline constexpr std::size_t kMostPlayCells = 400'000;
+
+/// The width in `how` is replaced by the request's; with play its cells are bounded by kMostPlayCells. Throws
+/// as CellTest and MotionVolume do.
 VolumeAnswer answer(Session& session, const VolumeRequest& request,
                     VolumeSettings how = {.most_cells = kMostVolumeCells});
 

@@ -442,8 +442,8 @@ bool BodyPairs::may_hold(const Body& ball, const Body& socket, const NearPoses& 
     return 2.0 * way * std::sin(0.5 * std::min(poses.turn, kPi)) * (1.0 + kNodeRounding) + poses.shift_mm;
   };
   const Eigen::Matrix3d& r = poses.rotation;
-  const auto out = [&](const Vec3& x) -> Vec3 { return r * x; };
-  const auto back = [&](const Vec3& x) -> Vec3 { return r.transpose() * x; };
+  const auto out = [&](const Vec3& x) -> Vec3 { return r * x + poses.offset; };
+  const auto back = [&](const Vec3& y) -> Vec3 { return r.transpose() * (y - poses.offset); };
   return socket.holds_of(ball, farthest(ball), out) != Contact::no ||
          ball.holds_of(socket, farthest(socket), back) != Contact::no;
 }

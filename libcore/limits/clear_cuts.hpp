@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A proof that two surfaces do not meet in a pose or in a turn: space, and the arc of the turn, are divided
-// until no node has faces of both. Theorem 18 (certificate).
+// until no node has faces of both. Theorem 19 (certificate).
 //
 // The proof is a tree of cuts. Each node has faces of the ball, faces of the socket and an arc, and says that
 // no two of these faces meet in it; the root has all. A cut by a plane, a sphere about the centre, or an

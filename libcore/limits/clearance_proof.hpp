@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A proof that the bodies of a pose or of a turn do not meet, or that the bodies of a pose do. It can be
 // checked with the mesh files and without this library. (joint/certificate.hpp gives the exact verdict on a
-// pose without a proof.) Theorem 18 (certificate).
+// pose without a proof.) Theorem 19 (certificate).
 //
 // Clear means: no surfaces of the two sides meet (limits/clear_cuts.hpp), and at the start no point of one
 // body is inside another (limits/body_pairs.hpp). Contact means: two faces cross, or no surfaces meet and a

@@ -37,10 +37,16 @@ NearBodies::NearBodies(const NearPoses& poses, double gap_mm)
       cosine_(std::cos(std::min(poses.turn, kPi))),
       sine_(std::sin(std::min(poses.turn, kPi))),
       more_(poses.shift_mm + gap_mm),
-      gap_(gap_mm) {}
+      gap_(gap_mm),
+      away_(poses.offset.norm()) {}
 
 TurnFace NearBodies::turned(const TurnFace& face) const {
   return turn_face(turned(face.corner[0]), turned(face.corner[1]), turned(face.corner[2]));
+}
+
+TurnFace NearBodies::seen(TurnFace face) const {
+  for (Vec3& y : face.corner) y = seen(y);
+  return face;
 }
 
 double NearBodies::least_squared(const Vec3& p, const Vec3& y) const {
@@ -107,9 +113,9 @@ bool NearBodies::apart(const Asked& asked, std::uint32_t p, std::uint32_t q) con
   const SweptParts::Node& a = asked.ball.nodes()[p];
   const SweptParts::Node& b = asked.socket.nodes()[q];
   const double slack = more_ + kRounding * (a.farthest + b.farthest);
-  if (std::max(a.nearest - b.farthest, b.nearest - a.farthest) > slack) return true;
+  if (std::max(a.nearest - b.farthest, b.nearest - a.farthest) > slack + away_) return true;
   const double reach = a.radius + b.radius + slack;
-  return least_squared(turned(a.centre), b.centre) > reach * reach || (asked.told && asked.told(p, q));
+  return least_squared(turned(a.centre), seen(b.centre)) > reach * reach || (asked.told && asked.told(p, q));
 }
 
 NodePairs NearBodies::left(const Asked& asked, std::size_t most) const {
@@ -134,7 +140,7 @@ template <class Meet>
 bool NearBodies::any_close(const Asked& asked, const Meet& meet) const {
   const auto are_apart = [&](std::uint32_t p, std::uint32_t q) { return apart(asked, p, q); };
   const auto meets = [&](std::uint32_t p, std::uint32_t q) {
-    const TurnFace& face = asked.socket.parts()[q];
+    const TurnFace face = seen(asked.socket.parts()[q]);
     const TurnFace moved = turned(asked.ball.parts()[p]);
     return !apart(moved, face) && meet(asked.ball.parts()[p], moved, face);
   };
@@ -169,7 +175,7 @@ bool NearBodies::each_close(const Asked& asked, const TakeClose& take) const {
   for (const auto& pair : asked.ball.empty() || asked.socket.empty() ? NodePairs() : asked.pairs) {
     const SweptParts::Node& a = asked.ball.nodes()[pair.first];
     const SweptParts::Node& b = asked.socket.nodes()[pair.second];
-    nearest.emplace_back((turned(a.centre) - b.centre).norm() - a.radius - b.radius, pair);
+    nearest.emplace_back((turned(a.centre) - seen(b.centre)).norm() - a.radius - b.radius, pair);
   }
   std::ranges::sort(nearest, std::greater());  // the search takes the last one first
   NodePairs pairs;
@@ -188,11 +194,12 @@ bool NearBodies::any_within_reach(const BodyTrees& ball, const BodyTrees& socket
       const SweptParts::Node& a = of_ball.nodes()[p];
       const SweptParts::Node& b = of_socket.nodes()[q];
       const double reach = a.radius + b.radius + more;
-      return reach < 0.0 || std::max(a.nearest - b.farthest, b.nearest - a.farthest) > std::max(0.0, more) ||
-             far(turned(a.centre), b.centre, reach);
+      return reach < 0.0 ||
+             std::max(a.nearest - b.farthest, b.nearest - a.farthest) > std::max(0.0, more) + away_ ||
+             far(turned(a.centre), seen(b.centre), reach);
     };
     return any_pair(of_ball, of_socket, apart, [&](std::uint32_t p, std::uint32_t q) {
-      const WithinReach at = points(of_ball.parts()[p], of_socket.parts()[q]);
+      const WithinReach at = points(of_ball.parts()[p], seen(of_socket.parts()[q]));
       return at.reach > 0.0 && take(at);
     });
   };

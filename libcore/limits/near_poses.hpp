@@ -22,13 +22,14 @@ namespace impinge {
 /// All poses near a rotation of the ball.
 struct NearPoses {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  double turn = 0.0;      // radians, the largest turn away from `rotation`
-  double shift_mm = 0.0;  // the largest shift of the ball
-  double gap_mm = 0.0;    // a face as near as this counts as in contact
+  double turn = 0.0;           // radians, the largest turn away from `rotation`
+  double shift_mm = 0.0;       // the largest shift of the ball
+  double gap_mm = 0.0;         // a face as near as this counts as in contact
+  Vec3 offset = Vec3::Zero();  // mm, a shift of the ball that all poses have, beside that one
 };
 
 /// A point of each body, in the body's own frame, mm. The bodies are in contact in every rotation that brings
-/// the points to within `reach` of each other.
+/// the points to within `reach` of each other; an offset of the poses is taken off `of_socket`.
 struct WithinReach {
   Vec3 of_ball;
   Vec3 of_socket;
@@ -83,6 +84,8 @@ class NearBodies {
  private:
   Vec3 turned(const Vec3& x) const { return poses_.rotation * x; }
   TurnFace turned(const TurnFace& face) const;
+  Vec3 seen(const Vec3& y) const { return y - poses_.offset; }  // from the shifted ball's centre
+  TurnFace seen(TurnFace face) const;
   double least_squared(const Vec3& p, const Vec3& y) const;  // distance of p, turned by R, from y, mm^2
   double most_squared(const Vec3& p, const Vec3& y) const;
   template <class Far, class Take>
@@ -100,6 +103,7 @@ class NearBodies {
   double cosine_, sine_;  // of the largest turn
   double more_;           // mm, the shift and the gap
   double gap_;            // mm
+  double away_;           // mm, the length of the offset
 };
 
 /// What InnerBalls has to know of a body.

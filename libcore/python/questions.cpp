@@ -2,6 +2,7 @@
 // The questions as methods, with those arrays that are not JSON.
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include <pybind11/stl/filesystem.h>
 
@@ -117,16 +118,22 @@ struct CellRow {
   double blocked;
   std::int8_t state;
   std::int8_t reachable;
+  double shift_x_mm;
+  double shift_y_mm;
+  double shift_z_mm;
 };
 
 void add_cells(PoseJoint& /*joint*/, const VolumeAnswer& found, py::dict& answer) {
   std::vector<CellRow> rows;
   found.volume.for_each([&](const VolumeCell& at) {
     const VolumeRow row = volume_row(at);
+    const ShiftRow shift = shift_row(at);
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     const int reachable = row.reachable ? (*row.reachable ? 1 : 0) : -1;
     rows.push_back({row.level, static_cast<std::int64_t>(row.cell), row.w, row.x, row.y, row.z,
                     row.radius_deg, row.share, row.free, row.blocked, static_cast<std::int8_t>(at.state),
-                    static_cast<std::int8_t>(reachable)});
+                    static_cast<std::int8_t>(reachable), shift.shift_x_mm.value_or(kNone),
+                    shift.shift_y_mm.value_or(kNone), shift.shift_z_mm.value_or(kNone)});
   });
   answer["cells"] = py::array_t<CellRow>(static_cast<py::ssize_t>(rows.size()), rows.data());
 }
@@ -191,7 +198,8 @@ void add_text(PoseJoint& /*joint*/, const CertifyAnswer& found, py::dict& answer
 
 void bind_questions(JointClass& joint) {
   PYBIND11_NUMPY_DTYPE(SquareRow, inclination_deg, anteversion_deg, half_width_deg, leg, state);
-  PYBIND11_NUMPY_DTYPE(CellRow, level, cell, w, x, y, z, radius_deg, share, free, blocked, state, reachable);
+  PYBIND11_NUMPY_DTYPE(CellRow, level, cell, w, x, y, z, radius_deg, share, free, blocked, state, reachable,
+                       shift_x_mm, shift_y_mm, shift_z_mm);
   bind_question<TouchRequest, TouchAnswer>(joint, "_touch", "Do the bones touch in a pose?");
   bind_question<GapsRequest, GapsAnswer>(
       joint, "_gaps",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which radii along the rays of a cap of directions lie in bone, the inside of a closed mesh? Rays start at
-// the centre, which must be outside of the bone. After Theorem 17 (sweep).
+// the centre, which must be outside of the bone. After Theorem 18 (sweep).
 #pragma once
 
 #include <vector>

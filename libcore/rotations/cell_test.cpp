@@ -8,14 +8,16 @@
 
 #include <Eigen/Geometry>
 
+#include "files/formatted.hpp"
 #include "files/thread_team.hpp"
 #include "mesh/surface_vertices.hpp"
+#include "rotations/cap_search.hpp"
 
 namespace impinge {
 namespace {
 
-constexpr double kTolerance = 1e-12;  // share of 1 / r and of lengths
-constexpr double kTurnSlack = 2e-9;   // radians
+constexpr double kTolerance = CellTest::kTolerance;
+constexpr double kTurnSlack = CellTest::kTurnSlack;
 
 constexpr std::uint32_t kCoarsestPart = 6;      // cells from this level on are taken apart
 constexpr std::uint32_t kCoarsestOfBodies = 5;  // the same level where bones have an inside
@@ -30,45 +32,6 @@ constexpr double kLeastNormal = 1e-9;        // mm^2, least cross product of two
 constexpr std::size_t kMostPairs = 4000;     // pairs of faces in a cell
 constexpr std::size_t kMostClose = 1000;     // pairs of faces of bodies in a cell
 constexpr double kLeastFree = 0.1;           // a smaller share of a cell is not worth its time
-
-// The nodes of a tree that a depth-first search still has to visit.
-struct Pending {
-  std::array<std::uint32_t, CapTree::kMostPending> blocks;
-  std::size_t count = 0;
-
-  void push(std::uint32_t block) { blocks[count++] = block; }
-  std::uint32_t pop() { return blocks[--count]; }
-};
-
-Vec3 axis_of(const CapBlock& block, std::size_t k) { return {block.x[k], block.y[k], block.z[k]}; }
-
-// Calls found(item) for items of a tree until it is true; returns whether it was. Of the nodes found last the
-// one with the largest depth comes first; nodes with a depth below 0 are left out. Ends after most_items.
-template <class Depth, class Found>
-bool search_deepest(const CapTree& tree, std::size_t most_items, const Depth& depth_of, const Found& found) {
-  Pending pending;
-  pending.push(0);
-  std::size_t asked = 0;
-  while (pending.count > 0 && asked < most_items) {
-    const CapBlock& block = tree.blocks()[pending.pop()];
-    std::size_t likeliest = pending.count;
-    double deepest = -HUGE_VAL;
-    for (std::size_t k = 0; k < block.nodes; ++k) {
-      const double depth = depth_of(block, k);
-      if (!(depth >= 0.0)) continue;
-      for (std::uint32_t item = block.first[k]; item < block.first[k] + block.items[k]; ++item) {
-        ++asked;
-        if (found(item)) return true;
-      }
-      if (block.leaf(k)) continue;
-      if (depth > deepest) likeliest = pending.count;
-      deepest = std::max(deepest, depth);
-      pending.push(block.first[k]);
-    }
-    if (likeliest < pending.count) std::swap(pending.blocks[likeliest], pending.blocks[pending.count - 1]);
-  }
-  return false;
-}
 
 // A question for faces that come near a cap and are, somewhere, at least `least` from the centre.
 struct NearCap {
@@ -89,6 +52,24 @@ std::array<std::int32_t, CapBlock::kLanes> near_nodes(const CapBlock& block, con
     near[k] = static_cast<std::int32_t>(is) & static_cast<std::int32_t>(block.high[k] >= cap.least);
   }
   return near;
+}
+
+// Calls found(face) for faces of a tree that come near the cap until it is true; returns whether it was.
+template <class Found>
+bool any_near(const CapTree& faces, const NearCap& cap, const Found& found) {
+  PendingBlocks pending;
+  pending.push(0);
+  while (pending.count > 0) {
+    const CapBlock& block = faces.blocks()[pending.pop()];
+    const auto may_hold = near_nodes(block, cap);
+    for (std::size_t k = 0; k < block.nodes; ++k) {
+      if (may_hold[k] == 0) continue;
+      if (!block.leaf(k)) pending.push(block.first[k]);
+      for (std::uint32_t f = block.first[k]; f < block.first[k] + block.items[k]; ++f)
+        if (found(f)) return true;
+    }
+  }
+  return false;
 }
 
 // The mesh with every corner moved out along its ray, so that each face is moved out by the gap at least
@@ -119,11 +100,18 @@ double growth_of(const TriangleMesh& mesh, double gap) {
   return gap / std::max(DirectionFace::kLeastCosine, least) * (1.0 + 1e-9);
 }
 
-bool edge_on(const CellQuestion& question) { return question.centre_within_mm > 0.0; }
+// Do edge-on faces of the socket count? From a shifted centre they may be seen.
+bool edge_on(const CellQuestion& question) {
+  return question.centre_within_mm > 0.0 || question.play_mm > 0.0;
+}
 
 const CellQuestion& checked(const BallSocketPair& joint, const CellQuestion& question) {
-  if (!(question.gap_mm >= 0.0) || !(question.centre_within_mm >= 0.0))
-    throw std::invalid_argument("motion volume: the gap and the distance of the centre must be 0 mm or more");
+  if (!(question.gap_mm >= 0.0) || !(question.centre_within_mm >= 0.0) || !(question.play_mm >= 0.0))
+    throw std::invalid_argument(
+        "motion volume: the gap, the distance of the centre and the play must be 0 mm or more");
+  if (question.centre_within_mm > 0.0 && question.play_mm > 0.0)
+    throw std::invalid_argument(
+        "motion volume: every centre and play are two questions; ask for one of them");
   if (without_edge_on(joint.ball).faces.empty() || without_edge_on(joint.socket).faces.empty())
     throw std::invalid_argument(
         "motion volume: a surface has no face that the centre sees; give both meshes");
@@ -141,7 +129,8 @@ CellTest::Side::Side(const TriangleMesh& mesh, Layer layer, const CellQuestion& 
       limits(without_edge_on(layer == Layer::farthest ? moved_out(mesh, question) : mesh), layer),
       holes(layer == Layer::farthest ? mesh_holes(seen) : MeshHoles{CapTree({}), {}, {}}),
       floor(seen) {
-  if (layer == Layer::farthest && (question.gap_mm > 0.0 || edge_on(question)))
+  if (question.play_mm > 0.0) borders = seen.borders();
+  if (layer == Layer::farthest && (question.gap_mm > 0.0 || question.centre_within_mm > 0.0))
     moved = std::make_unique<const SeenSurface>(moved_out(mesh, question), layer, true);
 }
 
@@ -156,17 +145,21 @@ CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question, co
   bodies_.find_inner_balls(joint, question_.gap_mm > 0.0 || !bodies_.has_inside());
   const SeenSurface& socket = surface(Surface::socket);
   least_ball_ = grown_ball().least_radius() - growth_;
-  least_socket_ = socket.least_radius();
-  edge_on_ = grown_ball().edge_on() || socket.edge_on();
+  least_socket_ = question.play_mm > 0.0 ? socket.least_distance() : socket.least_radius();
+  edge_on_ = grown_ball().edge_on() || (question.play_mm == 0.0 && socket.edge_on());
+  if (question.play_mm > 0.0 && !(question.play_mm + question.gap_mm < least_socket_))
+    throw std::invalid_argument(
+        "motion volume: the play must be less than " +
+        formatted("%.3g mm, which the socket is from the centre", least_socket_ - question.gap_mm));
 }
 
-NearPoses CellTest::poses_near(const RotationBall& rotations) const {
+NearPoses CellTest::poses_near(const RotationBall& rotations, const Vec3& shift) const {
   const double turned = Eigen::AngleAxisd(rotations.rotation).angle();
   const double turn = rotations.radius + kTurnSlack;
   const double most = std::min(kPi, turned + turn);
   const double within = question_.centre_within_mm;
   return {rotations.rotation, turn, 2.0 * std::sin(0.5 * most) * within * (1.0 + kTolerance),
-          question_.gap_mm};
+          question_.gap_mm, shift};
 }
 
 // The angle of (viii) in the header's theorem for these two faces; it is no larger than asked.angle.
@@ -186,12 +179,11 @@ CapAngle CellSearch::angle_of(const Asked& asked, const PosedFace& socket, const
 bool CellSearch::may_touch(const Asked& asked, const PosedFace& socket, const DirectionFace& ball) const {
   if (ball.range.high + asked.shift < socket.range.low * (1.0 - kTolerance)) return false;
   const CapAngle angle = angle_of(asked, socket, ball);
-  if ((ball.cap.axis - socket.axis).norm() > ball.cap.radius + socket.face->cap.radius + angle.radius)
-    return false;
+  if ((ball.cap.axis - socket.axis).norm() > ball.cap.radius + socket.radius + angle.radius) return false;
   const bool planes = !ball.plane.isZero(0.0) && !socket.plane.isZero(0.0);  // else ranges decide
   const double scale = 1.0 / (1.0 + asked.shift / ball.range.low);
   const Vec3 q = ball.plane * scale;
-  const double slack = (ball.doubt + socket.face->doubt + kTolerance) * (q.norm() + socket.plane.norm());
+  const double slack = (ball.doubt + socket.doubt + kTolerance) * (q.norm() + socket.plane.norm());
   const double beyond = -angle.sine - kSideSlack;
   DirectionPolygon of_ball(ball.corner);
   for (const Vec3& n : socket.inward) of_ball.clip(n, beyond);
@@ -206,9 +198,25 @@ bool CellSearch::may_touch(const Asked& asked, const PosedFace& socket, const Di
   });
 }
 
+// The face as the ball's centre sees it; `room` is for a face that is seen from elsewhere.
+const DirectionFace& CellSearch::seen_face(const Asked& asked, std::uint32_t socket_face,
+                                           DirectionFace& room) const {
+  const SeenSurface& socket = test_.surface(Surface::socket);
+  if (asked.offset.isZero(0.0)) return socket.faces()[socket_face];
+  return room = socket.seen_from(socket_face, asked.offset);
+}
+
 CellSearch::PosedFace CellSearch::posed(const Asked& asked, std::uint32_t socket_face) const {
-  const DirectionFace& face = test_.surface(Surface::socket).faces()[socket_face];
-  PosedFace at{&face, {}, {}, asked.inverse * face.plane, asked.inverse * face.cap.axis, face.range};
+  DirectionFace room;
+  const DirectionFace& face = seen_face(asked, socket_face, room);
+  PosedFace at{{},
+               {},
+               asked.inverse * face.plane,
+               asked.inverse * face.cap.axis,
+               face.range,
+               face.plane,
+               face.cap.radius,
+               face.doubt};
   for (std::size_t k = 0; k < 3; ++k) {
     at.corner[k] = asked.inverse * face.corner[k];
     at.inward[k] = asked.inverse * face.inward[k];
@@ -218,27 +226,29 @@ CellSearch::PosedFace CellSearch::posed(const Asked& asked, std::uint32_t socket
 
 bool CellSearch::find_pair_of(const Asked& asked, std::uint32_t socket_face, CellHint& hint) const {
   const PosedFace socket = posed(asked, socket_face);
-  const NearCap near{socket.axis.cast<float>(),
-                     static_cast<float>(socket.face->cap.radius + asked.angle.radius),
+  const NearCap near{socket.axis.cast<float>(), static_cast<float>(socket.radius + asked.angle.radius),
                      static_cast<float>(socket.range.low * (1.0 - kTolerance) - asked.shift)};
   const SeenSurface& ball = test_.grown_ball();
-  Pending pending;
-  pending.push(0);
-  while (pending.count > 0) {
-    const CapBlock& block = ball.face_tree().blocks()[pending.pop()];
-    const auto may_hold = near_nodes(block, near);
-    for (std::size_t k = 0; k < block.nodes; ++k) {
-      if (may_hold[k] == 0) continue;
-      if (!block.leaf(k)) pending.push(block.first[k]);
-      for (std::uint32_t f = block.first[k]; f < block.first[k] + block.items[k]; ++f) {
-        if (!may_touch(asked, socket, ball.faces()[f])) continue;
-        hint.ball_face = f;
-        hint.socket_face = socket_face;
-        return true;
-      }
-    }
-  }
-  return false;
+  return any_near(ball.face_tree(), near, [&](std::uint32_t f) {
+    if (!may_touch(asked, socket, ball.faces()[f])) return false;
+    hint.ball_face = f;
+    hint.socket_face = socket_face;
+    return true;
+  });
+}
+
+// Calls found(face) for faces of the socket that the ball may reach until it is true; returns whether it was.
+template <class Found>
+bool CellSearch::any_socket_face(const Asked& asked, const Found& found) const {
+  const CapLimits& farthest = test_.side(Surface::ball).limits;
+  const double turn = asked.angle.radius + asked.aside + kTurnSlack;
+  const double nearer = asked.shift + asked.offset.norm();
+  const auto depth_of = [&](const CapBlock& block, std::size_t k) {
+    const float wide = std::nextafter(block.angle[k] + static_cast<float>(turn), HUGE_VALF);
+    const double most = test_.edge_on_ ? HUGE_VAL : farthest.within(asked.inverse * axis_of(block, k), wide);
+    return most + nearer - block.low[k];
+  };
+  return search_deepest(test_.surface(Surface::socket).face_tree(), SIZE_MAX, depth_of, found);
 }
 
 bool CellSearch::find_pair(const Asked& asked, CellHint& hint) const {
@@ -246,15 +256,35 @@ bool CellSearch::find_pair(const Asked& asked, CellHint& hint) const {
       may_touch(asked, posed(asked, hint.socket_face), test_.grown_ball().faces()[hint.ball_face]))
     return true;
   if (hint.socket_face != CellHint::kNone && find_pair_of(asked, hint.socket_face, hint)) return true;
-  const CapLimits& farthest = test_.side(Surface::ball).limits;
-  const auto depth_of = [&](const CapBlock& block, std::size_t k) {
-    const float wide =
-        std::nextafter(block.angle[k] + static_cast<float>(asked.angle.radius + kTurnSlack), HUGE_VALF);
-    const double most = test_.edge_on_ ? HUGE_VAL : farthest.within(asked.inverse * axis_of(block, k), wide);
-    return most + asked.shift - block.low[k];
-  };
-  return search_deepest(test_.surface(Surface::socket).face_tree(), SIZE_MAX, depth_of,
-                        [&](std::uint32_t face) { return find_pair_of(asked, face, hint); });
+  return any_socket_face(asked, [&](std::uint32_t face) { return find_pair_of(asked, face, hint); });
+}
+
+// May the shifted ball's face reach beyond the socket's face, along a ray from the socket's centre?
+bool CellSearch::may_pass(const Asked& asked, const DirectionFace& socket, std::uint32_t ball_face) const {
+  const SeenSurface& ball = test_.surface(Surface::ball);
+  const double size = ball.faces()[ball_face].range.high + asked.offset.norm();
+  const double moved = 2.0 * std::sin(0.5 * asked.angle.radius) * size + kSideSlack * size;
+  DirectionPolygon kept(ball.triangle(ball_face));
+  for (const Vec3& n : socket.inward) kept.clip(asked.inverse * n, -moved - n.dot(asked.offset));
+  const Vec3 q = asked.inverse * socket.plane;
+  const double least =
+      1.0 - socket.plane.dot(asked.offset) - (socket.doubt + kTolerance) * (1.0 + q.norm() * size);
+  return std::ranges::any_of(kept.points(), [&](const Vec3& x) {
+    return socket.plane.isZero(0.0) || most_over(q, x, asked.angle) >= least;
+  });
+}
+
+// May the shifted ball overlap the socket, as the socket's centre sees it?
+bool CellSearch::may_overlap(const Asked& asked) const {
+  return any_socket_face(asked, [&](std::uint32_t f) {
+    const DirectionFace& socket = test_.surface(Surface::socket).faces()[f];
+    const Vec3 axis = asked.inverse * socket.cap.axis;
+    const double turn = socket.cap.radius + asked.angle.radius + asked.aside;
+    const NearCap near{axis.cast<float>(), static_cast<float>(turn),
+                       static_cast<float>(socket.range.low * (1.0 - kTolerance) - asked.offset.norm())};
+    return any_near(test_.surface(Surface::ball).face_tree(), near,
+                    [&](std::uint32_t g) { return may_pass(asked, socket, g); });
+  });
 }
 
 CellSearch::Reach CellSearch::reach_at(const Asked& asked, Surface of, std::uint32_t vertex) const {
@@ -353,16 +383,18 @@ bool CellSearch::find_reach(const Asked& asked, Surface of, CellHint& hint, doub
 bool CellSearch::may_leave(const Asked& asked) const {
   const MeshHoles& holes = test_.side(Surface::ball).holes;
   const SeenSurface& socket = test_.surface(Surface::socket);
+  const double turn = asked.angle.radius + asked.aside;
   const auto meet = [&](std::uint32_t hole, std::uint32_t face) {
     const DirectionCap& cap = holes.caps[hole];
-    return socket.near(face, {asked.rotation * cap.axis, cap.radius + asked.angle.radius});
+    DirectionFace room;
+    return near(seen_face(asked, face, room), {asked.rotation * cap.axis, cap.radius + asked.angle.radius});
   };
   const auto visit = [&](const auto& self, std::uint32_t hole, std::size_t lane, std::uint32_t at) -> bool {
     const CapBlock& of = holes.tree.blocks()[hole];
     const CapBlock& block = socket.face_tree().blocks()[at];
     const Vec3 axis = asked.rotation * axis_of(of, lane);
     for (std::size_t k = 0; k < block.nodes; ++k) {
-      if ((axis - axis_of(block, k)).norm() > of.angle[lane] + block.angle[k] + asked.angle.radius) continue;
+      if ((axis - axis_of(block, k)).norm() > of.angle[lane] + block.angle[k] + turn) continue;
       if (!of.leaf(lane)) {
         for (std::size_t l = 0; l < holes.tree.blocks()[of.first[lane]].nodes; ++l)
           if (self(self, of.first[lane], l, at)) return true;
@@ -386,12 +418,12 @@ bool CellSearch::leaves(const Asked& asked) const {
   const double turn = asked.angle.radius + kTurnSlack;
   return std::ranges::any_of(ball.holes.empty,
                              [&](const DirectionCap& hole) {
-                               return hole.radius >= turn &&
+                               return asked.aside == 0.0 && hole.radius >= turn &&
                                       socket.floor.face_along(asked.rotation * hole.axis) !=
                                           DirectionFace::kNone;
                              }) ||
          std::ranges::any_of(socket.seen.vertices(), [&](const Vec3& y) {
-           const Vec3 x = asked.inverse * y;
+           const Vec3 x = asked.inverse * (y - asked.offset);
            return ball.floor.uncovered(x) && !ball.seen.any_near({x.stableNormalized(), turn});
          });
 }
@@ -401,8 +433,14 @@ CellSearch::Asked CellSearch::asked_of(const NearPoses& poses, const RotationBal
   const double r = test_.question_.centre_within_mm;
   const double doubt =
       r == 0.0 ? 0.0 : std::asin(shift / test_.least_ball_) + std::asin(r / test_.least_socket_);
-  return {rotations.rotation, rotations.rotation.transpose(), shift,
-          CapAngle(rotations.radius + doubt + kTurnSlack), rotations.radius};
+  const double away = poses.offset.norm();
+  return {rotations.rotation,
+          rotations.rotation.transpose(),
+          shift,
+          CapAngle(rotations.radius + doubt + kTurnSlack),
+          rotations.radius,
+          poses.offset,
+          away == 0.0 ? 0.0 : std::asin(away / test_.least_socket_) + kTurnSlack};
 }
 
 // A cell that is taken apart: what is left of it, in which nothing is known yet.
@@ -424,7 +462,9 @@ struct CellSearch::Parted {
 
 void CellSearch::enter(const RotationCell& parent) {
   parent_ = parent;
-  left_ = test_.bodies_.left(test_.poses_near(ball_about(parent)), by_radii());
+  NearPoses poses = test_.poses_near(ball_about(parent));
+  poses.shift_mm += test_.question_.play_mm;
+  left_ = test_.bodies_.left(poses, by_radii());
 }
 
 // What may meet in all of the cell that was entered.
@@ -434,15 +474,14 @@ const BodyPairs::Left& CellSearch::left_of(const RotationCell* cell) const {
 }
 
 bool CellSearch::parts_of_bodies(const RotationCell& cell) const {
-  return test_.question_.centre_within_mm == 0.0 && cell.level <= kFinestPart &&
-         cell.level >= kCoarsestOfBodies;
+  return may_be_parted() && cell.level <= kFinestPart && cell.level >= kCoarsestOfBodies;
 }
 
 // Looks at bones with an inside, and for the part in which they are apart if the cell may be taken apart.
 CellSearch::Seen CellSearch::see(const Asked& asked, const NearPoses& poses, const RotationCell* cell,
                                  CellHint& hint) const {
   Seen seen;
-  seen.middle = test_.bodies_.verdict({asked.rotation, Vec3::Zero()}).contact;
+  seen.middle = test_.bodies_.verdict({asked.rotation, asked.offset}).contact;
   if (seen.middle == Contact::yes) return seen;
   seen.apart = !find_pair(asked, hint);
   if (cell == nullptr || !parts_of_bodies(*cell)) return seen;
@@ -451,15 +490,21 @@ CellSearch::Seen CellSearch::see(const Asked& asked, const NearPoses& poses, con
   return seen;
 }
 
+// Are bones with an inside clear of each other in all of the rotations? Keeps what was seen.
+bool CellSearch::clear_of_bodies(const Asked& asked, const NearPoses& poses, const RotationCell* cell,
+                                 CellHint& hint) {
+  seen_ = see(asked, poses, cell, hint);
+  last_ = cell == nullptr ? std::nullopt : std::optional(*cell);
+  if (seen_.middle == Contact::yes) return false;
+  if (cell != nullptr && parts_of_bodies(*cell)) return seen_.clear && seen_.clear->planes.empty();
+  return !test_.bodies_.may_meet(poses, seen_.apart, left_of(cell));
+}
+
 CellVerdict CellSearch::of_bodies(const Asked& asked, const NearPoses& poses, const CellHint& from,
                                   const RotationCell* cell) {
   const BodyPairs& bodies = test_.bodies_;
   CellHint hint = from;
-  seen_ = see(asked, poses, cell, hint);
-  last_ = cell == nullptr ? std::nullopt : std::optional(*cell);
-  const bool parted = cell != nullptr && parts_of_bodies(*cell);
-  if (seen_.middle != Contact::yes && (parted ? seen_.clear && seen_.clear->planes.empty()
-                                              : !bodies.may_meet(poses, seen_.apart, left_of(cell))))
+  if (clear_of_bodies(asked, poses, cell, hint))
     return {state_of_free(asked), seen_.apart ? hint : CellHint{}};
   if (seen_.middle != Contact::no && bodies.overlap(poses, seen_.apart)) return {CellState::blocked, {}};
   const bool apart = seen_.middle == Contact::yes ? !find_pair(asked, hint) : seen_.apart;
@@ -476,6 +521,7 @@ CellVerdict CellSearch::decide(const RotationCell& cell, const CellHint& hint) {
 
 CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& from,
                                const RotationCell* cell) {
+  if (test_.question_.play_mm > 0.0) return decide_with_play(rotations, from, cell);
   const NearPoses poses = test_.poses_near(rotations);
   const double r = test_.question_.centre_within_mm;
   if (r > 0.0 && !(std::min(test_.least_ball_, test_.least_socket_) >
@@ -667,14 +713,14 @@ struct CellSearch::PairForms {
 bool CellSearch::keep_apart(Parted& at, const PosedFace& socket, const DirectionFace& ball) const {
   const Asked& asked = at.asked;
   if (ball.range.high < socket.range.low * (1.0 - kTolerance)) return true;
-  if ((ball.cap.axis - socket.axis).norm() > ball.cap.radius + socket.face->cap.radius + asked.angle.radius)
+  if ((ball.cap.axis - socket.axis).norm() > ball.cap.radius + socket.radius + asked.angle.radius)
     return true;
   // Is the plane of the ball's face nearer than all of the socket's face, in every rotation of the cell?
   const double ratio = at.about.wide ? 0.0 : least_over(ball.plane, socket.axis, at.about) * socket.range.low;
   if (ratio > 1.0 && ratio > 1.0 + (ball.doubt + kTolerance) * (2.0 + ball.plane.norm() * socket.range.low))
     return true;
   PairForms pair{socket, ball, DirectionPolygon(ball.corner), DirectionPolygon(socket.corner),
-                 (ball.doubt + socket.face->doubt + kTolerance) * (ball.plane.norm() + socket.plane.norm())};
+                 (ball.doubt + socket.doubt + kTolerance) * (ball.plane.norm() + socket.plane.norm())};
   const double beyond = -asked.angle.sine - kSideSlack;
   for (const Vec3& n : socket.inward) pair.of_ball.clip(n, beyond);
   for (const Vec3& n : ball.inward) pair.of_socket.clip(n, beyond);
@@ -689,15 +735,15 @@ bool CellSearch::keep_apart(Parted& at, const PosedFace& socket, const Direction
       const Vec3 n = asked.rotation * normal;
       const std::vector<Vec3> corners = PairForms::corners(pair.of_ball, ball.plane);
       return std::ranges::all_of(corners, [&](const Vec3& x) {
-        const double slack = pair.slack * x.norm() +
-                             (kTolerance + socket.face->doubt + ball.doubt) * (1.0 + n.norm() * x.norm());
+        const double slack =
+            pair.slack * x.norm() + (kTolerance + socket.doubt + ball.doubt) * (1.0 + n.norm() * x.norm());
         return at.keep(at.frame.form(n, x, 1.0, -1.0, slack));
       });
     }
   }
   if (by_socket >= by_ball) {
     return std::ranges::all_of(pair.of_ball.points(), [&](const Vec3& w) {
-      return at.keep(at.frame.form(socket.face->plane, w, ball.plane.dot(w), -1.0, pair.slack));
+      return at.keep(at.frame.form(socket.plane_at_rest, w, ball.plane.dot(w), -1.0, pair.slack));
     });
   }
   return std::ranges::all_of(pair.of_socket.points(), [&](const Vec3& u) {
@@ -707,41 +753,22 @@ bool CellSearch::keep_apart(Parted& at, const PosedFace& socket, const Direction
 
 bool CellSearch::take_free(Parted& at, const CellHint& hint) const {
   const SeenSurface& ball = test_.grown_ball();
-  const SeenSurface& socket = test_.surface(Surface::socket);
-  if (hint.socket_face != CellHint::kNone)
-    at.about = CapAngle(socket.faces()[hint.socket_face].cap.radius + at.asked.angle.radius);
-  if (hint.ball_face != CellHint::kNone && hint.socket_face != CellHint::kNone &&
-      !keep_apart(at, posed(at.asked, hint.socket_face), ball.faces()[hint.ball_face]))
-    return false;
+  if (hint.socket_face != CellHint::kNone) {
+    const PosedFace face = posed(at.asked, hint.socket_face);
+    at.about = CapAngle(face.radius + at.asked.angle.radius);
+    if (hint.ball_face != CellHint::kNone && !keep_apart(at, face, ball.faces()[hint.ball_face]))
+      return false;
+  }
   const auto with = [&](std::uint32_t f) {  // may face f touch the ball in all that is left?
     const PosedFace face = posed(at.asked, f);
-    at.about = CapAngle(face.face->cap.radius + at.asked.angle.radius);
-    const NearCap near{face.axis.cast<float>(),
-                       static_cast<float>(face.face->cap.radius + at.asked.angle.radius),
+    at.about = CapAngle(face.radius + at.asked.angle.radius);
+    const NearCap near{face.axis.cast<float>(), static_cast<float>(face.radius + at.asked.angle.radius),
                        static_cast<float>(face.range.low * (1.0 - kTolerance))};
-    Pending pending;
-    pending.push(0);
-    while (pending.count > 0) {
-      const CapBlock& block = ball.face_tree().blocks()[pending.pop()];
-      const auto may_hold = near_nodes(block, near);
-      for (std::size_t k = 0; k < block.nodes; ++k) {
-        if (may_hold[k] == 0) continue;
-        if (!block.leaf(k)) pending.push(block.first[k]);
-        for (std::uint32_t g = block.first[k]; g < block.first[k] + block.items[k]; ++g)
-          if (!keep_apart(at, face, ball.faces()[g]) || at.left.empty() || at.pairs > kMostPairs) return true;
-      }
-    }
-    return false;
+    return any_near(ball.face_tree(), near, [&](std::uint32_t g) {
+      return !keep_apart(at, face, ball.faces()[g]) || at.left.empty() || at.pairs > kMostPairs;
+    });
   };
-  const CapLimits& farthest = test_.side(Surface::ball).limits;
-  const auto depth_of = [&](const CapBlock& block, std::size_t k) {
-    const float wide =
-        std::nextafter(block.angle[k] + static_cast<float>(at.asked.angle.radius + kTurnSlack), HUGE_VALF);
-    const double most =
-        test_.edge_on_ ? HUGE_VAL : farthest.within(at.asked.inverse * axis_of(block, k), wide);
-    return most - block.low[k];
-  };
-  return !search_deepest(socket.face_tree(), SIZE_MAX, depth_of, with) && !at.left.empty();
+  return !any_socket_face(at.asked, with) && !at.left.empty();
 }
 
 // Clips what is left to where bodies are apart; false if no such place could be shown.
@@ -762,7 +789,7 @@ bool CellSearch::keep_bodies_apart(Parted& at, const NearPoses& poses, bool by_r
 CellPart CellSearch::part_of(const RotationCell& cell, const CellHint& hint) {
   const RotationBall rotations = ball_about(cell);
   const NearPoses poses = test_.poses_near(rotations);
-  if (test_.question_.centre_within_mm > 0.0 || cell.level > kFinestPart ||
+  if (!may_be_parted() || cell.level > kFinestPart ||
       cell.level < (by_radii() ? kCoarsestPart : kCoarsestBlocked))
     return {};
   Parted at{asked_of(poses, rotations), CellFrame(cell)};

@@ -14,6 +14,11 @@
 ///
 /// If the common centre is known only to within a distance, the answers hold for every such centre t; but a
 /// vertex blocks nothing about a t that lies in the planes of all its faces.
+///
+/// With play the ball may be shifted in each rotation: free means free with one shift in all of the
+/// rotations, blocked means blocked with every shift (rotations/play.hpp). Radii overlap as the socket's
+/// centre sees them or as the ball's does; a gap is along rays from that of the ball. A vertex blocks nothing
+/// about a shift that takes the ball's centre to the planes of all its faces.
 #pragma once
 
 #include <array>
@@ -31,6 +36,7 @@
 #include "rotations/cap_floor.hpp"
 #include "rotations/cell_part.hpp"
 #include "rotations/mesh_holes.hpp"
+#include "rotations/play.hpp"
 #include "rotations/rotation_cells.hpp"
 #include "rotations/seen_surface.hpp"
 
@@ -45,6 +51,7 @@ struct CellQuestion {
   double gap_mm = 0.0;  // a gap of this or less counts as contact; 0 or more. Between main surfaces it is
                         // along rays, between parts the distance
   double centre_within_mm = 0.0;  // for every common centre as near to the meshes' origin; 0 or more
+  double play_mm = 0.0;           // shifts of the ball that are allowed; 0 if centre_within_mm is above 0
 };
 
 /// All rotations within `radius` of `rotation`, which takes the ball's frame to the socket's.
@@ -63,12 +70,16 @@ struct CellHint {
   std::uint32_t socket_face = kNone;  // may touch ball_face
   std::uint32_t vertex = kNone;       // the vertex that reaches farthest into the other surface
   bool of_ball = true;                // is the vertex the ball's? Else the socket's
+  /// A shift of the ball in parts of the play / kShiftSteps: with it the cell is free, or nearest to it.
+  ShiftSteps shift{};
   bool operator==(const CellHint&) const = default;
 };
+/// The shift in a hint, mm, no longer than the play.
+inline Vec3 shift_of(const CellHint& hint, double play_mm) { return shift_of(hint.shift, play_mm); }
 
 struct CellVerdict {
   CellState state = CellState::open;
-  CellHint hint;  // where open or blocked
+  CellHint hint;  // where open or blocked; its shift where free
 };
 
 /// A joint, prepared for the test. Several threads may use it at the same time.
@@ -76,7 +87,7 @@ class CellTest {
  public:
   /// Meshes in one frame whose origin is the centre of both, mm: the main surfaces, and the rest of the bones
   /// (limits/body_pairs.hpp). Throws std::invalid_argument if the gap or the distance of the centre is below
-  /// 0, or a surface has no face that the centre sees.
+  /// 0, a surface has no face that the centre sees, or the play takes the ball out of the socket.
   CellTest(const BallSocketPair& joint, const CellQuestion& question = {}, const BoneParts& beside = {});
 
   const CellQuestion& question() const { return question_; }
@@ -84,8 +95,11 @@ class CellTest {
   Vec3 ball_axis(const CellHint& hint) const { return grown_ball().faces()[hint.ball_face].cap.axis; }
   const SeenSurface& surface(Surface of) const { return side(of).seen; }
   const BodyPairs& bodies() const { return bodies_; }
-  /// All poses of these rotations, for every centre that the question allows.
-  NearPoses poses_near(const RotationBall& rotations) const;
+  /// All poses of these rotations, for every centre that the question allows; the ball shifted, mm.
+  NearPoses poses_near(const RotationBall& rotations, const Vec3& shift = Vec3::Zero()) const;
+
+  static constexpr double kTolerance = 1e-12;  // share of 1 / r and of lengths
+  static constexpr double kTurnSlack = 2e-9;   // radians
 
  private:
   friend class CellSearch;
@@ -98,6 +112,7 @@ class CellTest {
     CapLimits limits;  // of the grown surface
     MeshHoles holes;   // of the ball
     CapFloor floor;    // of `seen`
+    std::vector<SeenBorder> borders{};  // of `seen`, with play
     const SeenSurface& grown() const { return moved ? *moved : seen; }
   };
   const Side& side(Surface of) const { return *sides_[static_cast<std::size_t>(of)]; }
@@ -125,7 +140,8 @@ class CellSearch {
   /// Finds what holds in all of a cell of a level below kFinestCells, so that it is not asked again of its
   /// eighths. These come next.
   void enter(const RotationCell& parent);
-  /// What is known of parts of a cell whose verdict is open; nothing where the centre is in doubt.
+  /// What is known of parts of a cell whose verdict is open; nothing where the centre is in doubt, or with
+  /// play.
   CellPart part_of(const RotationCell& cell, const CellHint& hint);
 
  private:
@@ -136,15 +152,18 @@ class CellSearch {
     double shift;    // sigma, mm
     CapAngle angle;  // rho + asin(sigma / least radius of the ball) + asin(eta / least radius of the socket)
     double turn;     // rho, radians
+    Vec3 offset;     // mm, a shift of the ball that all of them have
+    double aside;    // radians, by which that may change the direction of a point of the socket
   };
-  /// A face of the socket in the ball's frame.
+  /// A face of the socket in the ball's frame, as the ball's centre sees it.
   struct PosedFace {
-    const DirectionFace* face;
     std::array<Vec3, 3> corner;
     std::array<Vec3, 3> inward;
     Vec3 plane;
     Vec3 axis;
     RadiusRange range;
+    Vec3 plane_at_rest;    // in the socket's frame
+    double radius, doubt;  // of its cap, radians; of its plane
   };
   /// What the other surface has to do so that a vertex blocks: cover the cap, a socket nowhere farther than
   /// the radius, a ball nowhere nearer.
@@ -178,17 +197,28 @@ class CellSearch {
   };
   const BodyPairs::Left& left_of(const RotationCell* cell) const;
   Seen see(const Asked& asked, const NearPoses& poses, const RotationCell* cell, CellHint& hint) const;
+  bool may_be_parted() const {
+    return test_.question_.centre_within_mm == 0.0 && test_.question_.play_mm == 0.0;
+  }
   bool parts_of_bodies(const RotationCell& cell) const;
   bool by_radii() const { return test_.question_.gap_mm > 0.0 || !test_.bodies_.has_inside(); }
   CellVerdict decide(const RotationBall& rotations, const CellHint& hint, const RotationCell* cell);
+  bool clear_of_bodies(const Asked& asked, const NearPoses& poses, const RotationCell* cell, CellHint& hint);
   CellVerdict of_bodies(const Asked& asked, const NearPoses& poses, const CellHint& from,
                         const RotationCell* cell);
+  struct Playing;  // a cell and all shifts of the ball
+  CellVerdict decide_with_play(const RotationBall& rotations, const CellHint& from, const RotationCell* cell);
   CellVerdict facing(const Asked& asked, const CellHint& from);  // about the main surfaces, by radii
   CellState state_of_free(const Asked& asked) const;
   CapAngle angle_of(const Asked& asked, const PosedFace& socket, const DirectionFace& ball) const;
+  const DirectionFace& seen_face(const Asked& asked, std::uint32_t socket_face, DirectionFace& room) const;
   PosedFace posed(const Asked& asked, std::uint32_t socket_face) const;
   bool may_touch(const Asked& asked, const PosedFace& socket, const DirectionFace& ball) const;
+  template <class Found>
+  bool any_socket_face(const Asked& asked, const Found& found) const;
   bool find_pair(const Asked& asked, CellHint& hint) const;
+  bool may_pass(const Asked& asked, const DirectionFace& socket, std::uint32_t ball_face) const;
+  bool may_overlap(const Asked& asked) const;
   bool find_pair_of(const Asked& asked, std::uint32_t socket_face, CellHint& hint) const;
   Reach reach_at(const Asked& asked, Surface of, std::uint32_t vertex) const;
   bool blocks(const Reach& reach, Surface of);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bounds of the radius of a surface's nearest or farthest layer over a cap of directions; they close on the
-// radius as the cap narrows. After Theorem 16 (resection).
+// radius as the cap narrows. After Theorem 17 (resection).
 #pragma once
 
 #include <vector>

@@ -30,8 +30,7 @@ void add_plane(const std::array<Vec3, 3>& v, DirectionFace& face) {
   face.doubt = doubt + kPlaneRounding;
 }
 
-DirectionFace seen_face(const TriangleMesh& mesh, const Face& face) {
-  const std::array<Vec3, 3> v = corners_of(mesh, face);
+DirectionFace seen_face(const std::array<Vec3, 3>& v) {
   const FaceCap cap = face_cap(v);
   DirectionFace seen{{}, {}, Vec3::Zero(), 0.0, cap.range, cap.cap, {}};
   if (!cap.small()) seen.cap.radius = kPi;
@@ -137,12 +136,37 @@ SeenSurface::SeenSurface(const TriangleMesh& mesh, Layer layer, bool keep_edge_o
   if (edge_on_) kept = mesh;
   face_tree_ = sorted(kept);
   vertex_tree_ = of_vertices(kept, vertices_);
+  triangles_.reserve(kept.faces.size());
   faces_.reserve(kept.faces.size());
   for (const Face& face : kept.faces) {
-    faces_.push_back(seen_face(kept, face));
+    triangles_.push_back(corners_of(kept, face));
+    faces_.push_back(seen_face(triangles_.back()));
     least_radius_ = std::min(least_radius_, faces_.back().range.low);
   }
   find_neighbours(kept, faces_);
+}
+
+double SeenSurface::least_distance() const {
+  double least = HUGE_VAL;
+  for (const Triangle& face : triangles_) least = std::min(least, nearest_point(Vec3::Zero(), face).norm());
+  return least * (1.0 - 1e-9);
+}
+
+std::vector<SeenBorder> SeenSurface::borders() const {
+  std::vector<SeenBorder> found;
+  for (const DirectionFace& face : faces_)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (face.beyond[k] == DirectionFace::kNone)
+        found.push_back({(face.corner[k] + face.corner[(k + 1) % 3]).stableNormalized(), face.inward[k]});
+  return found;
+}
+
+DirectionFace SeenSurface::seen_from(std::uint32_t f, const Vec3& centre) const {
+  std::array<Vec3, 3> at = triangles_[f];
+  for (Vec3& x : at) x -= centre;
+  DirectionFace face = seen_face(at);
+  face.beyond.fill(DirectionFace::kNone);
+  return face;
 }
 
 template <class Visit>
@@ -170,8 +194,7 @@ bool SeenSurface::any_along(const Vec3& u, const std::function<bool(std::uint32_
   });
 }
 
-bool SeenSurface::near(std::uint32_t f, const DirectionCap& cap) const {
-  const DirectionFace& face = faces_[f];
+bool near(const DirectionFace& face, const DirectionCap& cap) {
   if ((face.cap.axis - cap.axis).norm() > face.cap.radius + cap.radius) return false;
   if (cap.radius >= 0.5 * kPi) return true;
   const double beyond = -std::sin(cap.radius) - kSideSlack;
@@ -179,7 +202,7 @@ bool SeenSurface::near(std::uint32_t f, const DirectionCap& cap) const {
 }
 
 bool SeenSurface::any_near(const DirectionCap& cap) const {
-  return any_of(cap, [&](std::uint32_t f) { return near(f, cap); });
+  return any_of(cap, [&](std::uint32_t f) { return near(faces_[f], cap); });
 }
 
 std::uint32_t SeenSurface::face_along(const Vec3& u) const {

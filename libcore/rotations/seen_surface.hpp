@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contact/cap_tree.hpp"
+#include "mesh/triangle_distance.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "table/face_cap.hpp"
 #include "table/layer.hpp"
@@ -48,7 +49,16 @@ struct DirectionFace {
   std::array<std::uint32_t, 3> beyond;  // a face across each side, on the other side of it; or kNone
 };
 
-/// A convex polygon of directions, its corners unit vectors or shorter.
+/// May the face have a direction in the cap? No is certain.
+bool near(const DirectionFace& face, const DirectionCap& cap);
+
+/// A side of a face beyond which there is no other: a border, or where the surface turns back.
+struct SeenBorder {
+  Vec3 middle;  // unit vector
+  Vec3 inward;  // as of the face
+};
+
+/// A convex polygon: of directions, its corners unit vectors or shorter, or of a face.
 class DirectionPolygon {
  public:
   explicit DirectionPolygon(const std::array<Vec3, 3>& corners)
@@ -81,7 +91,12 @@ class SeenSurface {
   const CapTree& vertex_tree() const { return vertex_tree_; }
   const std::vector<DirectionFace>& faces() const { return faces_; }  // in the order of face_tree()
   const std::vector<Vec3>& vertices() const { return vertices_; }     // mm, in the order of vertex_tree()
-  double least_radius() const { return least_radius_; }               // of all faces, mm
+  const Triangle& triangle(std::uint32_t f) const { return triangles_[f]; }  // mm
+  std::vector<SeenBorder> borders() const;
+  /// Face f as another centre sees it, mm; without neighbours.
+  DirectionFace seen_from(std::uint32_t f, const Vec3& centre) const;
+  double least_radius() const { return least_radius_; }  // of all faces, mm; 0 if one is edge-on
+  double least_distance() const;                         // of its points from the centre, mm, rounded down
   Layer layer() const { return layer_; }
   bool edge_on() const { return edge_on_; }  // were edge-on faces kept?
 
@@ -91,8 +106,7 @@ class SeenSurface {
   /// is not found along its sides.
   bool any_along(const Vec3& u, const std::function<bool(std::uint32_t)>& visit) const;
 
-  /// May face f, or any face, have a direction in the cap? No is certain.
-  bool near(std::uint32_t f, const DirectionCap& cap) const;
+  /// May any face have a direction in the cap? No is certain.
   bool any_near(const DirectionCap& cap) const;
 
   /// Do the faces that are reached from `from`, across sides that meet the cap, cover all of the cap, and
@@ -129,6 +143,7 @@ class SeenSurface {
   CapTree face_tree_;
   CapTree vertex_tree_;
   std::vector<DirectionFace> faces_;
+  std::vector<Triangle> triangles_;  // of each face, mm
   std::vector<Vec3> vertices_;
   double least_radius_ = HUGE_VAL;
   bool edge_on_ = false;

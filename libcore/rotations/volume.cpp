@@ -153,7 +153,8 @@ class MotionVolume::Refinement {
   std::size_t cells_ = 0;
 };
 
-MotionVolume::MotionVolume(const CellTest& test, const VolumeSettings& settings) {
+MotionVolume::MotionVolume(const CellTest& test, const VolumeSettings& settings)
+    : play_mm_(test.question().play_mm) {
   if (!(settings.width > 0.0))
     throw std::invalid_argument(
         "motion volume: the width must be above 0, as 0.01; the cells never end else");
@@ -182,7 +183,8 @@ VolumeCell MotionVolume::leaf(const RotationCell& cell, std::uint32_t node) cons
           free && (at.reach & kCertainly) != 0,
           (at.reach & kPerhaps) != 0,
           hints_[node],
-          at.part == 0 ? nullptr : &parts_[at.part]};
+          at.part == 0 ? nullptr : &parts_[at.part],
+          free && play_mm_ > 0.0 ? std::optional(shift_of(hints_[node], play_mm_)) : std::nullopt};
 }
 
 void MotionVolume::for_each(const std::function<void(const VolumeCell&)>& visit) const {
@@ -247,8 +249,9 @@ bool MotionVolume::meet(const RotationCell& cell, std::uint32_t node, std::size_
 void MotionVolume::join(std::uint8_t bit) {
   const auto counts = [&](std::uint32_t node) {
     const Node& at = nodes_[node];
-    return bit == kCertainly ? at.state == CellState::free || (at.part != 0 && !parts_[at.part].free.empty())
-                             : at.state != CellState::blocked;
+    if (bit == kPerhaps) return at.state != CellState::blocked;
+    return (at.state == CellState::free && hints_[node].shift == ShiftSteps{}) ||
+           (at.part != 0 && !parts_[at.part].free.empty());
   };
   DisjointSets sets(nodes_.size());
   for (std::uint32_t cube = 0; cube < 4; ++cube) {

@@ -13,6 +13,9 @@
 /// Rotations that can be reached from the neutral pose without contact are at least the free cells and parts
 /// that are joined to it, across sides, through free ones; they are at most what is not blocked of the cells
 /// that are joined to it through cells that are not blocked.
+///
+/// With play the ball may be shifted in each rotation (rotations/play.hpp). Bones may touch on the way from
+/// one shift to another, so that only what is free without a shift counts as surely reached.
 #pragma once
 
 #include <algorithm>
@@ -65,6 +68,7 @@ struct VolumeCell {
   bool within_reach = false;       // perhaps: joined to it through cells that are not blocked
   CellHint hint;                   // where surfaces may touch, if open or blocked
   const CellPart* part = nullptr;  // its parts, if some are free or blocked; borrowed from the volume
+  std::optional<Vec3> shift;       // mm, a shift of the ball with which the cell is free; only with play
 };
 
 /// The limit of a turn, degrees from its start: every rotation up to low is free, the one at high is blocked.
@@ -76,8 +80,8 @@ struct VolumeLimit {
 
 class MotionVolume {
  public:
-  /// Computes the volume: about 17 us of a core for a cell, with surfaces of 12,000 faces. Throws
-  /// std::invalid_argument for a width that is not above 0.
+  /// Computes the volume: about 17 us of a core for a cell, with surfaces of 12,000 faces; with play some
+  /// times that. Throws std::invalid_argument for a width that is not above 0.
   MotionVolume(const CellTest& test, const VolumeSettings& settings);
 
   const VolumeShares& shares() const { return shares_; }
@@ -115,6 +119,7 @@ class MotionVolume {
   std::vector<Node> nodes_;      // the four cubes first
   std::vector<CellHint> hints_;  // of each node
   std::vector<CellPart> parts_;  // of open leaves; the first is empty
+  double play_mm_;
   VolumeShares shares_;
 };
 

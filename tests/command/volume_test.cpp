@@ -38,10 +38,10 @@ class VolumeCommand : public testing::Test {
     write_mesh(folder_.path() / "socket.ply", pair.socket);
   }
   // Its exit code; what it says beside the answer goes to `log_`.
-  int run(const std::filesystem::path& out) {
+  int run(const std::filesystem::path& out, const std::string& more = "") {
     const test::Ran ran = test::run("volume " + (folder_.path() / "ball.ply").string() + " " +
                                     (folder_.path() / "socket.ply").string() +
-                                    " --centre 0,0,0 --side right --width 0.3 --out " + out.string());
+                                    " --centre 0,0,0 --side right --width 0.3 --out " + out.string() + more);
     log_ = ran.log;
     return ran.code;
   }
@@ -49,6 +49,13 @@ class VolumeCommand : public testing::Test {
   test::TemporaryFolder folder_;
   std::string log_;
 };
+
+std::vector<std::string> cells_of(const std::string& row) {
+  std::vector<std::string> cells;
+  std::istringstream line(row + ",");
+  for (std::string cell; std::getline(line, cell, ',');) cells.push_back(cell);
+  return cells;
+}
 
 TEST_F(VolumeCommand, WritesCellsThatSumToAllRotations) {
   const std::filesystem::path out = folder_.path() / "whole";
@@ -62,9 +69,7 @@ TEST_F(VolumeCommand, WritesCellsThatSumToAllRotations) {
   double free = 0.0;
   double all = 0.0;
   while (std::getline(rows, row)) {
-    std::vector<std::string> cells;
-    std::istringstream line(row + ",");
-    for (std::string cell; std::getline(line, cell, ',');) cells.push_back(cell);
+    const std::vector<std::string> cells = cells_of(row);
     ASSERT_EQ(cells.size(), 12U) << row;
     all += std::stod(cells[7]);
     free += std::stod(cells[8]);
@@ -75,6 +80,36 @@ TEST_F(VolumeCommand, WritesCellsThatSumToAllRotations) {
   EXPECT_EQ(found["motions"].size(), named_motions().size());
   EXPECT_TRUE(read_bytes(out / "volume.svg").starts_with("<svg"));
   EXPECT_TRUE(read_bytes(out / "mobility.svg").starts_with("<svg"));
+}
+
+// The shift in a row of volume.csv, mm; none if its cells are empty.
+std::optional<Vec3> shift_in(const std::string& row) {
+  const std::vector<std::string> cells = cells_of(row);
+  if (cells.size() != 15 || cells[12].empty()) return std::nullopt;
+  return Vec3(std::stod(cells[12]), std::stod(cells[13]), std::stod(cells[14]));
+}
+
+TEST_F(VolumeCommand, FreesMoreWithPlayByShiftsWithinIt) {
+  constexpr double kPlay = 2.0;
+  const std::filesystem::path still = folder_.path() / "still";
+  const std::filesystem::path loose = folder_.path() / "loose";
+  ASSERT_EQ(run(still), 0);
+  ASSERT_EQ(run(loose, " --play 2"), 0) << log_;
+  const Json without = Json::parse(read_bytes(still / "volume.json"));
+  const Json with = Json::parse(read_bytes(loose / "volume.json"));
+  EXPECT_GE(with["share_high"].get<double>(), without["share_low"].get<double>());
+  EXPECT_LE(with["reachable_low"].get<double>(), without["reachable_high"].get<double>());
+  std::istringstream rows(read_bytes(loose / "volume.csv"));
+  std::size_t shifted = 0;
+  for (std::string row; std::getline(rows, row);) {
+    if (row.starts_with("level")) continue;
+    const std::optional<Vec3> shift = shift_in(row);
+    EXPECT_EQ(shift.has_value(), row.find(",free,") != std::string::npos) << row;
+    if (!shift) continue;
+    EXPECT_LE(shift->norm(), kPlay + 1e-9) << row;  // rounded in the file
+    if (shift->norm() > 0.0) ++shifted;
+  }
+  EXPECT_GT(shifted, 0U);
 }
 
 // Random poses whose Euler angles are even, in a hundred joint coordinate systems, each asked of the bodies
@@ -146,12 +181,12 @@ TEST_F(VolumeCommand, GoesOnWhereItWasInterrupted) {
   std::filesystem::remove(again / "volume.csv");
   const std::string verdicts = read_bytes(part);
   std::string changed = verdicts;
-  changed[12 + 20 * (verdicts.size() / 40)] ^= 1;  // the state of a cell half way
+  changed[12 + 24 * (verdicts.size() / 48)] ^= 1;  // the state of a cell half way
   for (const std::string& left : {verdicts.substr(0, verdicts.size() / 2 + 7),  // killed in a verdict
                                   std::string(), std::string(verdicts.size(), '\0'), changed}) {
     write_bytes(part, left);
     EXPECT_EQ(run(again), 0);
-    const bool some = left.starts_with(verdicts.substr(0, 20));
+    const bool some = left.starts_with(verdicts.substr(0, 24));
     EXPECT_EQ(log_.find("cells were decided before") != std::string::npos, some);
     for (const char* file : {"volume.csv", "volume.json", "volume.svg", "mobility.svg"})
       EXPECT_EQ(read_bytes(again / file), read_bytes(whole / file)) << file;

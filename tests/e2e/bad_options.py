@@ -12,7 +12,7 @@ REFUSED = {
     # Values.
     "{option}: '{last}' is out of range; give one that is above 0": ["gaps --precision -0.5", "limits --largest 0"],
     "{option}: '{last}' is no number; give one that is above 0": ["gaps --precision 1,5", "gaps --max-error inf", "resect --clearance 1e400"],
-    "{option}: '{last}' is out of range; give one that is 0 or more": ["touch --overlap -1", "volume --gap -1"],
+    "{option}: '{last}' is out of range; give one that is 0 or more": ["touch --overlap -1", "volume --gap -1", "volume --play -1"],
     "--width: '{last}' is out of range; give one that is above 0, up to 1": ["volume --width 1.1"],
     "--tilt: '{last}' is out of range; give one that is from -90 to 90": ["orient --require flexion=90 --tilt 100"],
     "--threads: '{last}' is no whole number; give one that is from 1 to 1024": ["poses --threads 1.5"],

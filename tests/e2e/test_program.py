@@ -112,7 +112,7 @@ class Program(GeneratedPair):
             ("limits", *pose, "--motions", "flexion,internal_rotation", "--cartilage", 2.5, "--translation", "0,0,0.25"),
             ("poses", "--path", "flexion=0..20/10,abduction=5", "--outputs", "touch"),
             ("certify", *pose, "--motion", "internal_rotation"),
-            ("volume", "--width", 0.4, "--gap", 0.1),
+            ("volume", "--width", 0.4, "--gap", 0.1, "--play", 0.2),
             ("resect", "--require", "flexion=90,internal_rotation=25", "--require", "flexion=100", "--clearance", 0.4),
             ("orient", "--require", "flexion=30", "--tilt", -5, "--resolution", 2),
             ("measure",),

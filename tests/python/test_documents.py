@@ -29,6 +29,7 @@ QUESTIONS = [
     ("touch", {"pose": "flexion=80,adduction=10,internal_rotation=20"}, SMALL),
     ("gaps", {"pose": "flexion=80,adduction=10,internal_rotation=20"}, SMALL),
     ("gaps", {"pose": "flexion=80", "surfaces": "ball", "outputs": "gaps", "scheme": "rsid", "precision_deg": 2}, SMALL),
+    ("volume", {"width": 0.4, "play_mm": 0.5}, 1e-6),
     ("volume", {"width": 0.3, "gap_mm": 0.2}, 1e-6),
     ("resect", {"require": ["flexion=90,internal_rotation=25", "flexion=100"], "clearance_mm": 0.4}, 1e-5),
     ("orient", {"require": ["flexion=30"], "tilt_deg": 5, "resolution_deg": 0.75}, 1e-8),
@@ -179,10 +180,15 @@ def test_the_report_of_python_is_that_of_the_program(floats, tmp_path):
         assert (tmp_path / "python" / name).read_bytes() == (tmp_path / "program" / name).read_bytes(), name
 
 
-def test_cells_are_the_rows_of_volume(floats, tmp_path):
-    done = program("IMPINGE", "volume", *floats, "--width", 0.3, "--out", tmp_path)
+@pytest.mark.parametrize("play_mm", [0, 0.5])
+def test_cells_are_the_rows_of_volume(floats, tmp_path, play_mm):
+    done = program("IMPINGE", "volume", *floats, "--width", 0.3, "--play", play_mm, "--out", tmp_path)
     assert done.returncode == 0, done.stderr
-    rows, cells = table(tmp_path, "volume.csv"), impinge.Joint.read(*floats).volume(width=0.3)["cells"]
+    rows, cells = table(tmp_path, "volume.csv"), impinge.Joint.read(*floats).volume(width=0.3, play_mm=play_mm)["cells"]
+    for key in ("shift_x_mm", "shift_y_mm", "shift_z_mm"):
+        told = [float(row.get(key) or "nan") for row in rows]
+        assert np.array_equal(cells[key], told, equal_nan=True), key
+        assert (np.isfinite(told) == (cells["state"] == 0 if play_mm else False)).all()
     assert len(rows) == len(cells) > 500
     for key in ("level", "cell", "w", "x", "y", "z", "radius_deg", "share"):
         assert (cells[key] == [float(row[key]) for row in rows]).all(), key

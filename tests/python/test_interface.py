@@ -60,6 +60,8 @@ REFUSED = [
     (ValueError, lambda j: j.volume(width=np.nan), "width: NaN is not finite; give a number"),
     (ValueError, lambda j: j.volume(gap_mm=-1), "gap_mm: -1 is out of range; give a number 0 or more"),
     (ValueError, lambda j: j.volume(centre_within_mm=np.inf), "centre_within_mm: Infinity is not finite"),
+    (ValueError, lambda j: j.volume(play_mm=-1), "play_mm: -1 is out of range; give a number 0 or more"),
+    (ValueError, lambda j: j.volume(centre_within_mm=1, play_mm=1), "every centre and play are two questions; ask for one of them"),
     (ValueError, lambda j: j.resect("flexion=0"), "require: a required motion turns something; give one, as flexion=90,"),
     (ValueError, lambda j: j.resect(), "require: a required motion turns something; give one"),
     (ValueError, lambda j: j.resect([[1, 2]]), "require: is not three angles in degrees"),

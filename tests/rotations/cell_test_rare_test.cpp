@@ -431,7 +431,7 @@ TEST(CellTest, RefusesADoubtBelowZeroAndASocketWithoutFaces) {
   EXPECT_EQ(test::thrown<std::invalid_argument>([&] {
               CellTest(joint, {0.0, -1.0});
             }),
-            "motion volume: the gap and the distance of the centre must be 0 mm or more");
+            "motion volume: the gap, the distance of the centre and the play must be 0 mm or more");
   EXPECT_EQ(test::thrown<std::invalid_argument>([&] {
               CellTest({joint.ball, TriangleMesh{}});
             }),

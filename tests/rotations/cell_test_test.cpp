@@ -25,6 +25,7 @@
 #include "rotations/mesh_holes.hpp"
 #include "rotations/rotation_cells.hpp"
 #include "rotations/seen_surface.hpp"
+#include "support/closed_bones.hpp"
 #include "support/dice.hpp"
 #include "support/exact_touch.hpp"
 #include "support/joined.hpp"
@@ -88,41 +89,8 @@ Asked attack_by_radii(const BallSocketPair& joint) {
   });
 }
 
-// Of a closed mesh.
-bool holds(const TriangleMesh& mesh, const Vec3& x) {
-  double angle = 0.0;
-  for (const Face& face : mesh.faces)
-    angle += solid_angle(corner(mesh, face, 0) - x, corner(mesh, face, 1) - x, corner(mesh, face, 2) - x);
-  return std::abs(angle) > 2.0 * kPi;
-}
-
-// A head with a spike, and wings that go behind the wall of the socket; the bones are closed.
-struct ClosedBones {
-  ClosedBones() {
-    joint.ball.vertices[5] *= 1.45;
-    head = joint.ball;
-    for (const double side : {1.0, -1.0}) {
-      TriangleMesh wing = octahedron(3.0);
-      for (Vec3& x : wing.vertices) x += Vec3(side * 30.0, 22.0, 0.0);
-      joint.ball = test::joined(joint.ball, wing);
-    }
-    const TriangleMesh inner = joint.socket;
-    TriangleMesh back = inner;
-    for (Vec3& x : back.vertices) x *= 32.0 / 26.0;
-    joint.socket = test::with_back(inner, back);
-  }
-  bool meet(const Eigen::Matrix3d& rotation) const {
-    const TriangleMesh ball = test::turned(joint.ball, rotation);
-    return surfaces_meet(ball, joint.socket) || holds(ball, joint.socket.vertices[0]) ||
-           holds(joint.socket, rotation * head.vertices[0]) || holds(joint.socket, ball.vertices.back()) ||
-           holds(joint.socket, ball.vertices[head.vertices.size()]);
-  }
-  BallSocketPair joint{sphere(20.0, 60), cup(26.0, 70.0, 60)};
-  TriangleMesh head;
-};
-
 TEST(TheoremVolume, IsNeverWrongOfBonesWithAnInside) {
-  const ClosedBones bones;
+  const test::ClosedBones bones;
   ASSERT_TRUE(boundary_edges(bones.joint.socket).empty());
   const CellTest test(bones.joint);
   ASSERT_TRUE(test.bodies().has_inside());
@@ -141,7 +109,7 @@ TEST(TheoremVolume, IsNeverWrongOfBonesWithAnInside) {
 
 // Parts of open cells, at random and a hair within their planes, where a wrong one would be found first.
 TEST(TheoremVolume, PartsAreNeverWrongOfBonesWithAnInside) {
-  const ClosedBones bones;
+  const test::ClosedBones bones;
   const CellTest test(bones.joint);
   CellSearch search(test);
   test::Dice dice(61);
@@ -499,9 +467,9 @@ TEST(SeenSurface, IsNearWhatTouchesTheCap) {
     if (point.norm() < 1e-3) continue;
     const double radius = dice.power(-4.0, 0.2);
     const Vec3 axis = moved_by_angle(point.normalized(), dice.direction(), radius * (1.0 - 1e-9));
-    EXPECT_TRUE(surface.near(0, {axis, radius})) << round;
+    EXPECT_TRUE(near(surface.faces()[0], {axis, radius})) << round;
     EXPECT_TRUE(surface.any_near({axis, radius})) << round;
-    if (!surface.near(0, {dice.direction(), std::min(radius, 0.1)})) ++far;
+    if (!near(surface.faces()[0], {dice.direction(), std::min(radius, 0.1)})) ++far;
   }
   EXPECT_GT(far, random_cases() / 4);
 }

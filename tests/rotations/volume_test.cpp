@@ -17,6 +17,7 @@
 #include "limits/turn_limit.hpp"
 #include "mesh/bodies.hpp"
 #include "phantoms/phantom.hpp"
+#include "support/cone_neck.hpp"
 #include "support/dice.hpp"
 #include "support/exact_touch.hpp"
 #include "support/joined.hpp"
@@ -24,21 +25,6 @@
 
 namespace impinge {
 namespace {
-
-// A ball of 20 mm with a cone neck of half angle `neck` about +z, apex in the centre, out to 60 mm; a cup of
-// 26 mm that opens towards +z with half angle `opening`. The neck may tilt by their difference whatever it
-// turns about itself.
-BallSocketPair cone_neck(double neck, double opening, std::size_t sides) {
-  Revolution ball;
-  ball.sides = sides;
-  ball.rings = {{0.0, 60.0}, {0.5 * neck, 60.0}, {neck, 60.0}, {neck, 20.0}};
-  for (double polar = neck; polar < kPi;) ball.rings.push_back({polar = std::min(kPi, polar + 0.15), 20.0});
-  Revolution socket;
-  socket.sides = sides;
-  socket.axis = -Vec3::UnitZ();
-  socket.rings = sphere_rings(26.0, kPi - opening, 0.1);
-  return {revolve(ball), test::inside_out(revolve(socket))};
-}
 
 // The share of rotations that tilt +z by less than a is (1 - cos a) / 2. The wall of a cone is edge-on and no
 // surface of its own; its rims are. They have many sides, so that the angle of the meshes is larger by less
@@ -48,7 +34,7 @@ TEST(MotionVolume, OfAConeNeckIsThatOfItsTilt) {
     const double neck = neck_deg * kDegree;
     const double opening = 80.0 * kDegree;
     const std::size_t sides = 60;
-    const BallSocketPair joint = cone_neck(neck, opening, sides);
+    const BallSocketPair joint = test::cone_neck(neck, opening, sides);
     const MotionVolume volume(CellTest(joint), {.width = 0.2});
     const VolumeShares& found = volume.shares();
     const double tilt = opening - neck;

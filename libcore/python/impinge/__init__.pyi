@@ -352,8 +352,8 @@ class ReportAnswer(TypedDict):
 
 class Volume(VolumeAnswer):
     """A row a cell: level, cell (its number), w, x, y, z (quaternion in its middle, the largest coordinate 1: a rotation of the
-    ball, axes right, anterior, superior), radius_deg, share, free, blocked, state (0 free, 1 blocked, 2 unknown, 3 undecided) and reachable
-    (1 certainly, 0 certainly not, -1 not known)."""
+    ball, axes right, anterior, superior), radius_deg, share, free, blocked, state (0 free, 1 blocked, 2 unknown, 3 undecided), reachable
+    (1 certainly, 0 certainly not, -1 not known) and shift_x_mm, shift_y_mm, shift_z_mm (with play, of free cells; NaN elsewhere)."""
 
     cells: NDArray[Any]
 
@@ -495,7 +495,9 @@ class Joint:
     ) -> LimitsAnswer:
         """How far the joint turns before its bones meet, what meets what, and over which centres that holds. As
         `impinge limits`; each argument and key: help()."""
-    def volume(self, width: float = ..., gap_mm: float = ..., centre_within_mm: float = ...) -> Volume:
+    def volume(
+        self, width: float = ..., gap_mm: float = ..., centre_within_mm: float = ..., play_mm: float = ...
+    ) -> Volume:
         """Which share of all rotations is free of contact, and can be reached: proven, to the edges. As `impinge
         volume`; each argument and key: help()."""
     def measure(self) -> MeasureAnswer:

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// With play a rotation is free with some shift of the ball, or blocked with every shift. A closed form says
+// so, and random rotations with shifts: the exact overlay decides about them where radii count, CGAL's exact
+// intersection of all faces where both bones have an inside.
+#include "rotations/play.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "contact/culled_joint.hpp"
+#include "gap/overlay.hpp"
+#include "hip/hip.hpp"
+#include "hip/hip_presets.hpp"
+#include "reference/meeting_surfaces.hpp"
+#include "rotations/volume.hpp"
+#include "support/closed_bones.hpp"
+#include "support/cone_neck.hpp"
+#include "support/dice.hpp"
+#include "support/exact_touch.hpp"
+#include "support/grid_joint.hpp"
+#include "support/joined.hpp"
+#include "support/random_cases.hpp"
+#include "support/turned.hpp"
+
+namespace impinge {
+namespace {
+
+Vec3 any_shift(test::Dice& dice) {
+  const double length = std::cbrt(dice.between(0.0, 1.3));  // often the longest there is
+  return std::min(1.0, length) * dice.direction();
+}
+
+double most_inside(std::span<const ShiftHalfSpace> all, const Vec3& shift) {
+  double most = -HUGE_VAL;
+  for (const ShiftHalfSpace& at : all) most = std::max(most, at.normal.dot(shift) - at.least);
+  return most;
+}
+
+// No shift is less far inside than is said; and the shift that is told is hardly farther, most often.
+TEST(TheoremPlay, HalfSpacesHoldAllShifts) {
+  constexpr double kPlay = 2.0;
+  constexpr double kShort = 0.05;  // mm
+  test::Dice dice(71);
+  std::size_t held = 0;
+  std::size_t missed = 0;
+  const std::size_t sets = random_cases() / 10;
+  for (std::size_t k = 0; k < sets; ++k) {
+    std::vector<ShiftHalfSpace> all(static_cast<std::size_t>(dice.whole(1, 12)));
+    const Vec3 towards = dice.direction();
+    for (ShiftHalfSpace& at : all)
+      at = {(dice.direction() + dice.between(0.0, 3.0) * towards).normalized(), dice.between(-2.5, 0.5)};
+    const FarthestShift found = farthest_from(all, kPlay);
+    EXPECT_LE(found.shift.norm(), kPlay);
+    if (most_inside(all, found.shift) > found.inside + kShort) ++missed;
+    if (found.inside > 0.0) ++held;
+    for (std::size_t l = 0; l < 200; ++l)
+      EXPECT_GE(most_inside(all, kPlay * any_shift(dice)), found.inside - 1e-12);
+  }
+  EXPECT_LE(missed, sets / 10);
+  EXPECT_GT(held, sets / 10);
+  EXPECT_LT(held, sets);
+}
+
+// Is there contact in a rotation with a shift of the ball, mm? Exact.
+using Touches = std::function<bool(const Eigen::Matrix3d& rotation, const Vec3& shift)>;
+
+struct Attacked {
+  std::size_t free = 0;
+  std::size_t shifted = 0;  // free with a shift
+  std::size_t blocked = 0;
+};
+
+// Asks about rotations of random cells that are decided. In what is free none may touch with the cell's
+// shift; in a blocked cell each must touch with any shift.
+class ShiftAttack {
+ public:
+  ShiftAttack(const CellTest& test, Touches touches)
+      : play_(test.question().play_mm), touches_(std::move(touches)), search_(test) {}
+
+  Attacked run(std::size_t cells) {
+    for (std::size_t k = 0; k < cells; ++k) {
+      const RotationCell finest = cell_of(dice_.quaternion(), kFinestCells);
+      CellVerdict verdict;
+      // From coarse to fine, as a refinement would: the first that is decided.
+      for (std::uint32_t level = 2; level <= 9 && verdict.state == CellState::open; ++level) {
+        const RotationCell cell{level, finest.number >> (3 * (kFinestCells - level))};
+        verdict = search_.decide(cell, verdict.hint);
+        ask(cell, verdict);
+      }
+    }
+    return asked_;
+  }
+
+ private:
+  void ask(const RotationCell& cell, const CellVerdict& verdict) {
+    const Vec3 shift = shift_of(verdict.hint, play_);
+    EXPECT_LE(shift.norm(), play_);
+    for (std::size_t k = 0; k < 5; ++k) {
+      Vec3 t;
+      for (double& x : t) x = std::clamp(dice_.between(-1.3, 1.3), -1.0, 1.0);  // borders too
+      const Eigen::Matrix3d rotation = rotation_of(point_of(cell, {t[0], t[1], t[2]}));
+      if (verdict.state == CellState::blocked) {
+        ++asked_.blocked;
+        EXPECT_TRUE(touches_(rotation, play_ * any_shift(dice_))) << cell.level << " " << cell.number;
+      } else if (verdict.state == CellState::free) {
+        ++(shift.isZero(0.0) ? asked_.free : asked_.shifted);
+        EXPECT_FALSE(touches_(rotation, shift)) << cell.level << " " << cell.number;
+      }
+    }
+  }
+
+  double play_;
+  Touches touches_;
+  CellSearch search_;
+  test::Dice dice_{72};
+  Attacked asked_;
+};
+
+// Of a sheet: seen from either centre; a gap from that of the ball.
+Attacked attack_shifts_by_radii(double gap_mm, double play_mm, std::size_t cells) {
+  const Hip hip = make_hip(hip_preset("cam"), 1000);
+  const BallSocketPair joint{hip.ball, hip.socket};
+  test::ExactTouch overlay(joint);
+  const auto touches = [&](const Eigen::Matrix3d& rotation, const Vec3& shift) {
+    if (overlay.impinged({rotation, shift})) return true;
+    if (gap_mm == 0.0) return false;
+    const BallSocketPair moved{joint.ball, relative_to(joint.socket, shift)};
+    const auto least = CulledJoint(moved).least_gap({rotation, Vec3::Zero()});
+    return least && least->gap_mm <= gap_mm;
+  };
+  return ShiftAttack(CellTest(joint, {.gap_mm = gap_mm, .play_mm = play_mm}), touches).run(cells);
+}
+
+TEST(TheoremPlay, IsNeverWrongOfAHip) {
+  const Attacked asked = attack_shifts_by_radii(0.0, 1.5, random_cases());
+  EXPECT_GT(asked.free, random_cases() / 10);
+  EXPECT_GT(asked.shifted, random_cases() / 10);
+  EXPECT_GT(asked.blocked, random_cases());
+}
+
+TEST(TheoremPlay, IsNeverWrongOfAGap) {
+  const Attacked asked = attack_shifts_by_radii(1.0, 1.5, random_cases() / 4);
+  EXPECT_GT(asked.shifted, random_cases() / 40);
+  EXPECT_GT(asked.blocked, random_cases() / 4);
+}
+
+// A small play leaves cells blocked, a larger one has free cells that need a shift.
+TEST(TheoremPlay, IsNeverWrongOfBonesWithAnInside) {
+  const test::ClosedBones bones;
+  const auto touches = [&](const Eigen::Matrix3d& rotation, const Vec3& shift) {
+    return bones.meet(rotation, shift);
+  };
+  for (const double play : {0.5, 2.0}) {
+    const CellTest test(bones.joint, {.play_mm = play});
+    ASSERT_TRUE(test.bodies().has_inside());
+    const Attacked asked = ShiftAttack(test, touches).run(random_cases() / 4);
+    EXPECT_GT(asked.free, 0U) << play;
+    if (play < 1.0) {
+      EXPECT_GT(asked.blocked, random_cases() / 10);
+    } else {
+      EXPECT_GT(asked.shifted, random_cases() / 40);
+    }
+  }
+}
+
+// Faces whose plane holds a centre; and shifts with which it holds the other.
+TEST(TheoremPlay, IsNeverWrongOfEdgeOnFaces) {
+  test::Dice dice(73);
+  Attacked all;
+  for (std::size_t k = 0; k < random_cases() / 25; ++k) {
+    const BallSocketPair joint = test::grid_joint(dice);
+    const SurfaceOverlay radii(joint.ball, joint.socket);
+    const CellTest test(joint, {.play_mm = 0.5});
+    const auto touches = [&](const Eigen::Matrix3d& rotation, const Vec3& shift) {
+      return radii.impinged({rotation, shift}) ||
+             surfaces_meet(test::moved(test::turned(joint.ball, rotation), shift), joint.socket);
+    };
+    const Attacked asked = ShiftAttack(test, touches).run(25);
+    all.free += asked.free;
+    all.shifted += asked.shifted;
+    all.blocked += asked.blocked;
+  }
+  EXPECT_GT(all.free, random_cases());
+  EXPECT_GT(all.shifted, random_cases() / 100);
+  EXPECT_GT(all.blocked, random_cases() / 100);
+}
+
+// Seen from the ball's centre a shift by r turns the rim of the cup, 26 mm away, by asin(r / 26) at most;
+// seen from the socket's it turns the rim of the neck, 60 mm away, by asin(r / 60). Radii count as both see
+// them, so that the neck may tilt by so much more than without play. The rims are polygons, within sagittas
+// of circles.
+struct ConeNeck {
+  static constexpr double kPlay = 3.0;
+  static constexpr double kNeck = 20.0 * kDegree;
+  static constexpr double kOpening = 80.0 * kDegree;
+  explicit ConeNeck(double sides)
+      : joint(test::cone_neck(kNeck, kOpening, static_cast<std::size_t>(sides))),
+        flat(std::cos(kPi / sides)) {}
+  double least_tilt(double play) const {
+    return std::atan(std::tan(kOpening) * flat) - kNeck + std::asin(play / 60.0);
+  }
+  double most_tilt(double play) const {
+    return std::atan(std::tan(kOpening) / flat) - std::atan(std::tan(kNeck) * flat) +
+           std::asin(play / (60.0 * flat));
+  }
+  BallSocketPair joint;
+  double flat;
+};
+
+TEST(TheoremPlay, OfAConeNeckIsItsClosedForm) {
+  const ConeNeck neck(60);
+  const CellTest test(neck.joint, {.play_mm = ConeNeck::kPlay});
+  CellSearch search(test);
+  test::Dice dice(74);
+  std::size_t decided = 0;
+  const std::size_t tilts = random_cases() / 10;
+  for (std::size_t k = 0; k < tilts; ++k) {
+    const bool free = k % 2 == 0;
+    const double tilt = free ? neck.least_tilt(ConeNeck::kPlay) - dice.between(0.3, 2.5) * kDegree
+                             : neck.most_tilt(ConeNeck::kPlay) + dice.between(0.6, 3.0) * kDegree;
+    const double azimuth = dice.between(-kPi, kPi);
+    const Eigen::Matrix3d rotation =
+        Eigen::AngleAxisd(tilt, Vec3(-std::sin(azimuth), std::cos(azimuth), 0.0)) *
+        Eigen::AngleAxisd(dice.between(-kPi, kPi), Vec3::UnitZ()).toRotationMatrix();
+    const CellVerdict found = search.decide(RotationBall{rotation, 1e-3});
+    EXPECT_NE(found.state, free ? CellState::blocked : CellState::free) << tilt / kDegree;
+    if (found.state != CellState::open) ++decided;
+    const Pose pose{rotation, shift_of(found.hint, ConeNeck::kPlay)};
+    if (found.state == CellState::free) {
+      EXPECT_EQ(test.bodies().verdict(pose).contact, Contact::no) << tilt / kDegree;
+    }
+  }
+  EXPECT_GT(decided, tilts * 9 / 10);
+}
+
+TEST(MotionVolume, WithPlayIsThatOfAConeNeckInClosedForm) {
+  const ConeNeck neck(30);
+  constexpr double kWidth = 0.15;
+  const MotionVolume volume(CellTest(neck.joint, {.play_mm = ConeNeck::kPlay}), {.width = kWidth});
+  const VolumeShares& found = volume.shares();
+  const auto share_of = [](double tilt) { return 0.5 * (1.0 - std::cos(tilt)); };
+  EXPECT_LE(found.open, kWidth);
+  EXPECT_LE(found.low(), share_of(neck.most_tilt(ConeNeck::kPlay)));
+  EXPECT_GE(found.high(), share_of(neck.least_tilt(ConeNeck::kPlay)));
+  EXPECT_LE(found.reached(), share_of(neck.most_tilt(0.0)));
+}
+
+// The cells are the same with any number of threads and any verdicts known before.
+TEST(MotionVolume, WithPlayIsTheSameAgain) {
+  const Hip hip = make_hip(hip_preset("normal"), 1000);
+  const BallSocketPair joint{hip.ball, hip.socket};
+  using Cells = std::vector<std::pair<RotationCell, CellHint>>;
+  std::vector<CellVerdict> reached;
+  const auto cells = [&](const CellTest& test, std::size_t threads, std::span<const CellVerdict> known) {
+    reached.clear();
+    VolumeSettings settings = {.width = 0.3, .threads = threads, .known = known};
+    settings.reached = [&](std::span<const CellVerdict> batch, double) {
+      reached.insert(reached.end(), batch.begin(), batch.end());
+    };
+    Cells found;
+    MotionVolume(test, settings).for_each([&](const VolumeCell& at) {
+      found.emplace_back(at.cell, at.hint);
+    });
+    return found;
+  };
+  const CellTest test(joint, {.play_mm = 2.0});
+  const Cells once = cells(test, 1, {});
+  EXPECT_TRUE(std::ranges::any_of(once, [](const auto& at) { return at.second.shift != CellHint{}.shift; }));
+  EXPECT_EQ(cells(test, 3, {}), once);
+  const std::vector<CellVerdict> known(reached.begin(),
+                                       reached.begin() + static_cast<long>(reached.size() / 3));
+  EXPECT_EQ(cells(test, 2, known), once);
+}
+
+TEST(CellTest, RefusesPlayThatTakesTheBallOutOfTheSocket) {
+  const BallSocketPair joint = test::cone_neck(0.3, 1.4, 20);
+  EXPECT_THROW(CellTest(joint, {.play_mm = 26.0}), std::invalid_argument);
+  EXPECT_THROW(CellTest(joint, {.gap_mm = 20.0, .play_mm = 6.0}), std::invalid_argument);
+  EXPECT_THROW(CellTest(joint, {.play_mm = -1.0}), std::invalid_argument);
+  EXPECT_THROW(CellTest(joint, {.centre_within_mm = 1.0, .play_mm = 1.0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace impinge
