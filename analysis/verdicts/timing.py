@@ -254,7 +254,7 @@ def growth_row(times: Times, column: str) -> dict:
     theirs = log_plot.slope(sizes, pd.Series([times.thesis[key, column] for key in known]))
     clock = slope_limits(sizes, [times.printed(key, column) for key in known])
     shared = {"thesis": f"{theirs:.2f}", "unit": "exponent", "tolerance": f"{MOST_OFF}",
-              "rule": f"power of {what_grows(times.table)} that fits the times, as near as n to n^1.25; all of its range"
+              "rule": f"power of {what_grows(times.table)} that fits the times, as near as n to n^1.25; all of its range, of times that settled"
               + (TICK_RULE if times.ticks else "")}
     if scaled:
         return row(times.table.artefact, "growth", column, **shared, verdict="not-comparable",
@@ -267,7 +267,8 @@ def growth_row(times: Times, column: str) -> dict:
     ours = log_plot.slope(pd.Series([line["size"] for line in first]), pd.Series([line.measured_ms for line in first]))
     best, allowed = (Range(ends.low - MOST_OFF, ends.high + MOST_OFF) for ends in (Range(theirs, theirs), clock))
     good = {name: meets(one, best, allowed) for name, one in found.items()}
-    verdict = judged(all_of(good.values()))
+    settled = not any(way[column].inconclusive for choice in choices for way in choice)
+    verdict = judged(all_of(good.values()) if settled else None)
     notes = sides(good, found)
     if verdict == "differs":
         unit = "deg" if times.table.key == "precision_deg" else "triangles"
