@@ -331,7 +331,8 @@ std::unique_ptr<BodyPairs::Body> BodyPairs::edge_on_of(const TriangleMesh& main,
 }
 
 const CulledJoint& BodyPairs::Radial::joint() const {
-  std::call_once(once_, [this] { joint_.emplace(meshes_); });
+  const std::lock_guard lock(making_);
+  if (!joint_) joint_.emplace(meshes_);
   return *joint_;
 }
 

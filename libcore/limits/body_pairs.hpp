@@ -186,7 +186,7 @@ class BodyPairs {
    private:
     BallSocketPair meshes_;
     CulledOverlay overlay_;
-    mutable std::once_flag once_;
+    mutable std::mutex making_;  // no call_once: glibc cannot pass an exception on where memory has ended
     mutable std::optional<CulledJoint> joint_;
     mutable std::atomic<int> poses_ = 0;
   };

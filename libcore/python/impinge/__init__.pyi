@@ -334,6 +334,7 @@ class OrientAnswer(TypedDict):
     nearest_free: NearestFree | None  # by the angle of the turn that leads there; none where no square of the map is free
     map: Map  # which angles were looked at
     area_deg2: AreaDeg2  # of the map in each state (deg^2)
+    by_radii: bool  # does radial overlap block, too, as the socket is a sheet? `limits` may then go further
     legs: list[str]  # parts of the required paths, in words
 
 class CertifyAnswer(TypedDict):
