@@ -3,9 +3,9 @@
 // every pose the answer is the same as by SurfaceOverlay::impinged() (gap/overlay.hpp): Theorem 8 (caps).
 //
 // Each face is compared exactly with the faces that share a direction with it, which a tree of caps finds.
-// Where many poses are asked about, most faces are left out: a face is an item like a vertex, and the bounds
-// of contact/gap_bounds.hpp hold for every point of it, also if the pose makes it edge-on. A face whose cap
-// is clear reaches no face.
+// Where many poses are asked about, most faces are left out: the bounds of contact/gap_bounds.hpp hold for
+// every point of the faces of a cap, also of one that the pose makes edge-on. If they show the cap to be
+// clear, none of its faces reaches another.
 #pragma once
 
 #include <array>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Euclidean distances from points to a surface, in double, between proven ends: Theorem 10 (distance).
 //
-// A tree of boxes (Eigen's KdBVH) finds the face with the least distance of contact/part_distance.hpp, which
-// is above the true one by at most 24 u D / kThin < 3e-13 D, D <= |x| + R, R the distance of the farthest
-// corner. The upper end is the distance from a point of that face. The search skips boxes by distances that
-// are off by a few u.
+// A search in a tree of boxes (Eigen's KdBVH) finds the least of the distances of contact/part_distance.hpp.
+// It is above the true one by at most 24 u D / kThin < 3e-13 D, where D is the distance of x from a corner,
+// D <= |x| + R, R that of the farthest corner from the origin. The upper end is the least distance of x from
+// points of the faces looked at. The search skips boxes by distances that are off by a few u.
 #pragma once
 
 #include <span>

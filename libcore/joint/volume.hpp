@@ -34,7 +34,7 @@ struct VolumeRequest {
       Field{"centre_within_mm", "mm", "the answer holds for every common centre within this distance",
             &VolumeRequest::centre_within_mm, kNotNegative},
       Field{"play_mm", "mm",
-            "a rotation is free if it is with some shift of the ball up to this, blocked if with none",
+            "how far the ball may shift: free if some shift clears the bones, blocked if they touch with every one",
             &VolumeRequest::play_mm, kNotNegative}};
 };
 

@@ -28,15 +28,16 @@ struct ShiftHalfSpace {
 
 struct FarthestShift {
   Vec3 shift = Vec3::Zero();  // mm, the shift that is about the farthest from all of them
-  double inside;  // mm: every shift is at least so far inside one of the half-spaces, or outside if below 0
+  /// mm: for every shift, normal . d - least >= inside for some half-space. Above 0, they hold all shifts.
+  double inside;
 };
-/// Of all shifts up to play_mm long. `inside` is proven, up to rounding; it is not always the largest number.
+/// Of all shifts up to play_mm long. `inside` is proven, up to rounding; a larger one may hold.
 FarthestShift farthest_from(std::span<const ShiftHalfSpace> half_spaces, double play_mm);
 
 /// A shift of the ball along the socket's axes, in parts of the play / kShiftSteps.
 using ShiftSteps = std::array<std::int16_t, 3>;
 inline constexpr double kShiftSteps = 32767.0;
-/// In mm, and the nearest one in steps; neither is longer than the play.
+/// In mm, and about the nearest one in steps; neither is longer than the play.
 Vec3 shift_of(const ShiftSteps& steps, double play_mm);
 ShiftSteps steps_of(const Vec3& shift, double play_mm);
 
