@@ -34,7 +34,7 @@ struct VolumeRequest {
       Field{"centre_within_mm", "mm", "the answer holds for every common centre within this distance",
             &VolumeRequest::centre_within_mm, kNotNegative},
       Field{"play_mm", "mm",
-            "how far the ball may shift: free if some shift clears the bones, blocked if they touch with every one",
+            "how far the ball may shift: free if one shift clears the bones, blocked if all let them touch",
             &VolumeRequest::play_mm, kNotNegative}};
 };
 
