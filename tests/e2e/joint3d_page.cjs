@@ -438,6 +438,7 @@ async function halted(page, id) {
     return there;
   }, [id, words]);
   await press("Cancel");
+  await page.evaluate((panel) => document.getElementById(panel).dispatchEvent(new Event("toggle")), id); // as of a panel that opened late
   assert.match(await page.textContent(`#${id} .working`), /Cancelled\.Work it out$/);
   await press("Work it out");
   assert.match(await page.textContent(`#${id} .working`), /^\d+ s.*Cancel$/);
