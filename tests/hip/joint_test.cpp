@@ -240,7 +240,9 @@ TEST(JointPlaces, DivideTheSocketByItsRim) {
   constexpr double kWall = 8.0;
   for (const char* preset : {"normal", "pincer"}) {
     for (const double wall : {0.0, kWall}) {
-      const auto [hip, places] = made(preset, wall);
+      const Made joint = made(preset, wall);
+      const HipSurface& hip = joint.surface;  // clang 14 takes no structured binding into a lambda
+      const JointPlaces& places = joint.places;
       for (int hours = 0; hours < 12; ++hours) {
         const double rim = rim_polar(hip, hours);
         const auto named = [&](double polar, double out) {

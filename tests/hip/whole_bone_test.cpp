@@ -38,7 +38,7 @@ std::multiset<FacePlaces> faces_of(const TriangleMesh& mesh) {
       const Vec3& x = mesh.vertices[face[k]];
       at[k] = {x.x(), x.y(), x.z()};
     }
-    std::ranges::rotate(at, std::ranges::min_element(at));
+    std::rotate(at.begin(), std::ranges::min_element(at), at.end());
     faces.insert(at);
   }
   return faces;
