@@ -37,6 +37,8 @@ class CulledJoint {
   bool exactly_impinged(Surface scanned, const Vec3& x) const;
   /// Gap of such a vertex to the faces in its direction, mm; NaN if there are none.
   double gap(Surface scanned, const Vec3& x) const;
+  /// The gap is no less than this, mm, which takes a third of the time.
+  double gap_bound(Surface scanned, const Vec3& x) const;
   /// The faces of a surface by direction.
   const NearFaces& faces(Surface of) const { return of == Surface::ball ? ball_ : socket_; }
 

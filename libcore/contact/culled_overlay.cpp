@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/culled_overlay.hpp"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -9,29 +13,84 @@
 #include "files/thread_team.hpp"
 #include "gap/face_overlay.hpp"
 #include "sphere/orientation.hpp"
+#include "sphere/vector_clones.hpp"
+#include "table/face_cap.hpp"
 
 namespace impinge {
 namespace {
 
-// A moved face and the tree of the other surface.
+// Cap and radii of a moved face, in floats, for the comparison with nodes. The kNodeSlack of nodes covers the
+// rounding.
 struct OverlayReach {
-  const CapTree& tree;
-  const FaceCap& seen;
-  bool of_ball;  // the moved face is the ball's: it reaches what is no farther than it is
+  float x, y, z;    // axis
+  float wide;       // radians; pi if the face may be seen in all directions
+  float low, high;  // mm
+  bool of_ball;     // it is the ball's: it reaches what is no farther than it is
+
+  OverlayReach(const OverlayFace& face, bool of_the_ball);
 };
+
+// Chords between corners and axis give the radius of the cap without an arc cosine: an angle is 2 asin(c / 2)
+// = c (1 + c^2 / 24 + ...), the terms after the first at most 0.0472 c^2 together for chords c <= 1. Then the
+// sum of the three unit vectors is 1.5 long at least.
+OverlayReach::OverlayReach(const OverlayFace& face, bool of_the_ball) : of_ball(of_the_ball) {
+  constexpr double kNoDirection = 1e-100;  // mm; shorter corners have no certain direction
+  std::array<Vec3, 3> unit;
+  Vec3 axis = Vec3::Zero();
+  double least = HUGE_VAL;
+  double most = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double length = face.corner[k].norm();
+    least = std::min(least, length);
+    most = std::max(most, length);
+    unit[k] = face.corner[k] / length;
+    axis += unit[k];
+  }
+  const bool gathered = axis.norm() > 1.4;
+  axis.normalize();
+  double chord = 0.0;
+  double along = HUGE_VAL;  // x . axis is linear on the face and no larger than |x|
+  for (std::size_t k = 0; k < 3; ++k) {
+    chord = std::max(chord, (unit[k] - axis).norm());
+    along = std::min(along, face.corner[k].dot(axis));
+  }
+  const bool small = least > kNoDirection && gathered && chord <= 1.0;
+  if (!small) axis = Vec3::UnitZ();
+  x = static_cast<float>(axis.x());
+  y = static_cast<float>(axis.y());
+  z = static_cast<float>(axis.z());
+  wide = small ? static_cast<float>(chord * (1.0 + 0.0473 * chord * chord) + kCapSlack)
+               : static_cast<float>(kPi);
+  low = small ? static_cast<float>(along) : 0.0F;
+  high = static_cast<float>(most);
+}
+
+// A bit for each node of the block that may share a direction with the face and be reached by it.
+[[gnu::flatten]] IMPINGE_VECTOR_CLONES std::uint32_t reached_nodes(const OverlayReach& reach,
+                                                                   const CapBlock& block) {
+  std::array<std::int32_t, CapBlock::kLanes> near;
+  for (std::size_t k = 0; k < CapBlock::kLanes; ++k) {
+    const float dx = block.x[k] - reach.x;
+    const float dy = block.y[k] - reach.y;
+    const float dz = block.z[k] - reach.z;
+    const float within = reach.wide + block.angle[k];  // a chord is below its angle
+    const float above = reach.of_ball ? reach.high - block.low[k] : block.high[k] - reach.low;
+    near[k] = (dx * dx + dy * dy + dz * dz <= within * within) & (above >= 0.0F) ? 1 << k : 0;
+  }
+  std::int32_t all = 0;
+  for (std::size_t k = 0; k < CapBlock::kLanes; ++k) all |= near[k];
+  return static_cast<std::uint32_t>(all) & ((1U << block.nodes) - 1U);
+}
 
 // Calls visit(item) for the items from block `at` on that may share a direction with the face and be reached
 // by it, until it returns true.
 template <class Visit>
-bool visit_reached(const OverlayReach& reach, std::uint32_t at, const Visit& visit) {
-  const CapBlock& block = reach.tree.blocks()[at];
-  const double wide = reach.seen.small() ? reach.seen.cap.radius : kPi;
-  for (std::size_t k = 0; k < block.nodes; ++k) {
-    if (reach.of_ball ? reach.seen.range.high < block.low[k] : reach.seen.range.low > block.high[k]) continue;
-    const Vec3 axis(block.x[k], block.y[k], block.z[k]);
-    if ((axis - reach.seen.cap.axis).norm() > wide + block.angle[k]) continue;  // a chord is below its angle
+bool visit_reached(const OverlayReach& reach, const CapTree& tree, std::uint32_t at, const Visit& visit) {
+  const CapBlock& block = tree.blocks()[at];
+  for (std::uint32_t left = reached_nodes(reach, block); left != 0; left &= left - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
     if (!block.leaf(k)) {
-      if (visit_reached(reach, block.first[k], visit)) return true;
+      if (visit_reached(reach, tree, block.first[k], visit)) return true;
       continue;
     }
     for (std::uint32_t item = block.first[k]; item < block.first[k] + block.items[k]; ++item) {
@@ -68,11 +127,12 @@ CulledOverlay::CulledOverlay(const BallSocketPair& joint) : joint_(joint) {
 bool CulledOverlay::reaches_any(std::size_t scan, const CapMove& move, const Face& face) const {
   OverlayFace moving;
   for (std::size_t k = 0; k < 3; ++k) moving.corner[k] = move.place(corner(moved(scan), face, k));
-  const FaceCap seen = face_cap(moving.corner);
-  moving.side = seen.side;
   const Faces& rest = surfaces_[1 - scan];
   if (rest.faces.empty()) return false;
-  return visit_reached({rest.tree, seen, scan == 0}, 0, [&](std::uint32_t item) {
+  bool oriented = false;
+  return visit_reached(OverlayReach(moving, scan == 0), rest.tree, 0, [&](std::uint32_t item) {
+    if (!oriented) moving.side = orientation(moving.corner[0], moving.corner[1], moving.corner[2]);
+    oriented = true;
     OverlayFace resting;
     for (std::size_t k = 0; k < 3; ++k) resting.corner[k] = corner(at_rest(scan), rest.faces[item], k);
     resting.side = rest.sides[item];

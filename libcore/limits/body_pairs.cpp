@@ -143,6 +143,12 @@ BodyPairs::Body::Body(const TriangleMesh& of, bool turns, Is what) {
   alone = what == Is::surface;
   if (alone) return;
   find_openings(each);
+  for (const Vec3& x : mesh.vertices) box.extend(x);
+  for (const Opening& at : openings) {
+    for (int k = 0; k < 8; ++k)
+      box.extend(
+          (at.axes.transpose() * at.box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k))).eval());
+  }
   hollow = what != Is::part && !turns && openings.empty() && encloses(Vec3::Zero()) == Contact::yes;
   if (what == Is::main && sheet) wound = winding(mesh, turns);
   find_pieces(mesh);
@@ -177,14 +183,21 @@ void BodyPairs::Body::find_openings(const TriangleMesh& all) {
   if (!sheet) lids = TurnBody(lid);
 }
 
+// Of each piece the vertex farthest from the centre, which is outside of another bone's box in most poses.
 void BodyPairs::Body::find_pieces(const TriangleMesh& mesh) {
   DisjointSets sets(mesh.vertices.size());
   for (const Face& face : mesh.faces) {
     for (const VertexIndex v : face) sets.join(face[0], v, false);
   }
-  std::set<std::size_t> roots;
-  for (const Face& face : mesh.faces) roots.insert(sets.find(face[0]).root);
-  for (const std::size_t root : roots) pieces.push_back(mesh.vertices[root]);
+  std::map<std::size_t, Vec3> farthest;
+  for (const Face& face : mesh.faces) {
+    for (const VertexIndex v : face) {
+      const Vec3& x = mesh.vertices[v];
+      Vec3& kept = farthest.try_emplace(sets.find(v).root, x).first->second;
+      if (x.squaredNorm() > kept.squaredNorm()) kept = x;
+    }
+  }
+  for (const auto& [root, x] : farthest) pieces.push_back(x);
 }
 
 // Counts the faces that the segment crosses: 1 along the face's normal, -1 against it. None where it touches
@@ -217,7 +230,7 @@ Contact BodyPairs::Body::encloses(const Vec3& x) const {
   if (faces().empty()) return Contact::no;
   const SweptParts::Node& all = faces().nodes()[0];
   const double away = (x - all.centre).norm();
-  if (away > all.radius) return Contact::no;
+  if (away > all.radius || !box.contains(x)) return Contact::no;
   bool inside = false;
   bool outside = false;
   for (const Vec3& way : kWays) {

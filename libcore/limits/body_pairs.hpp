@@ -160,6 +160,7 @@ class BodyPairs {
     TurnBody lids;  // the boxes of the openings, if the body is no sheet
     bool sheet = false;
     int wound = 0;             // of a main sheet: 1, or -1 if its normals point into the bone
+    Eigen::AlignedBox3d box;   // round its vertices and openings
     std::vector<Vec3> pieces;  // a vertex of each connected piece
     bool hollow = false;       // a closed socket round the centre: bone is outside of it
     bool has_inside() const { return !alone && (!sheet || wound != 0); }

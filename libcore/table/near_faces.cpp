@@ -15,6 +15,11 @@ namespace {
 constexpr double kFinest = 0.5;  // degrees between entries of the grid
 constexpr double kCoarsest = 10.0;
 
+constexpr double kPlaneSlack = 1e-6;   // of w . u in floats, as a share of |w|
+constexpr double kLeastOffset = 1e-3;  // of a plane that says something, as a share of the farthest corner
+constexpr double kLargest = 1e30;      // 1 / mm, of numbers that floats take with all their digits
+constexpr double kSmallest = 1.0 / kLargest;
+
 // A grid whose cells are about as large as the mean face, as seen from the centre.
 CubeGnomonic face_grid(const TriangleMesh& mesh) {
   require_lengths(mesh);
@@ -48,7 +53,15 @@ NearFaces::NearFaces(const TriangleMesh& mesh, double margin)
 void NearFaces::see(std::size_t f) {
   const TriangleCone cone = cone_of(mesh_, mesh_.faces[f]);
   FaceCap seen = face_cap(cone.corners());
-  caps_.push_back({seen.cap.axis, seen.small() ? std::cos(seen.cap.radius) - kCapSlack : -1.0, seen.side});
+  caps_.push_back(
+      {seen.cap.axis, seen.small() ? std::cos(seen.cap.radius) - kCapSlack : -1.0, seen.side, {}, HUGE_VALF});
+  const Vec3 w = cone.plane().normal / cone.plane().offset;
+  const double inverse = w.norm();  // of the distance of the plane
+  if (cone.plane_distance() > kLeastOffset * seen.range.high && inverse > kSmallest && inverse < kLargest) {
+    for (Eigen::Index k = 0; k < 3; ++k)
+      caps_.back().plane[static_cast<std::size_t>(k)] = static_cast<float>(w[k]);
+    caps_.back().slack = static_cast<float>(kPlaneSlack * inverse);
+  }
   if (cone.edge_on()) return;
   seen.range.low = cone.largest_slope() > kSteepSlope ? 0.0 : seen.range.low * (1.0 - kRangeSlack);
   seen.range.high *= 1.0 + kRangeSlack;
@@ -82,12 +95,29 @@ NearFaces::Near NearFaces::near(const Vec3& x) const {
 
 double NearFaces::radius(const Vec3& u, Layer layer) const { return radius(u, near(u), layer); }
 
+double NearFaces::radius_bound(const Vec3& u, Layer layer) const {
+  const bool nearest = layer == Layer::nearest;
+  const Eigen::Vector3f at = u.cast<float>();
+  float decisive = nearest ? 0.0F : HUGE_VALF;  // the least or largest 1 / radius
+  bool any = false;
+  for (const std::uint32_t f : index_.shortest(index_.grid().stencil(u))) {
+    const Cap& cap = caps_[f];
+    if (cap.axis.dot(u) < cap.cosine) continue;
+    const float inverse = cap.plane[0] * at[0] + cap.plane[1] * at[1] + cap.plane[2] * at[2];
+    decisive = nearest ? std::max(decisive, inverse + cap.slack) : std::min(decisive, inverse - cap.slack);
+    any = true;
+  }
+  if (!any) return nearest ? kInfinity : -kInfinity;
+  return nearest || decisive > 0.0F ? 1.0 / static_cast<double>(decisive) : kInfinity;
+}
+
 double NearFaces::radius(const Vec3& u, const Near& near, Layer layer) const {
   double radius = kNoSurface;
   for (const std::uint32_t f : near.faces) {
     if (caps_[f].axis.dot(u) < caps_[f].cosine) continue;
-    const TriangleCone cone = cone_of(mesh_, mesh_.faces[f]);
-    if (cone.contains(u)) keep(radius, cone.radius(u), layer);
+    const Face& face = mesh_.faces[f];
+    if (place_in_cone(corners_of(mesh_, face), caps_[f].side, u) < 0) continue;
+    keep(radius, cone_of(mesh_, face).radius(u), layer);
   }
   return radius;
 }

@@ -4,6 +4,7 @@
 // saves.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -42,7 +43,11 @@ class NearFaces {
   /// an entry in this direction.
   double radius(const Vec3& u, Layer layer) const;
 
-  /// The same, if u is within the margin of the direction for which `near` was made.
+  /// A bound on radius(), from planes and not faces, in a third of the time: no larger for Layer::nearest, no
+  /// smaller for Layer::farthest; infinite where no face can be met.
+  double radius_bound(const Vec3& u, Layer layer) const;
+
+  /// radius(), if u is within the margin of the direction for which `near` was made.
   double radius(const Vec3& u, const Near& near, Layer layer) const;
 
   /// Does test(face, side) hold for some face that may be met in the direction of x? side is the orientation
@@ -70,8 +75,10 @@ class NearFaces {
  private:
   struct Cap {
     Vec3 axis;
-    double cosine;  // of the radius of a cap that holds the face; -1 if there is none
-    int side;       // orientation of its corners
+    double cosine;               // of the radius of a cap that holds the face; -1 if there is none
+    int side;                    // orientation of its corners
+    std::array<float, 3> plane;  // w of its plane w . x = 1, 1/mm
+    float slack;                 // of w . u, 1/mm; infinite where the plane says nothing
   };
   /// Summary of the faces within reach of an entry of the grid. Floats, rounded outwards, keep the summaries
   /// of neighbours close in memory.

@@ -56,6 +56,8 @@ void expect_true_of(const TriangleMesh& mesh) {
         EXPECT_LE(near.range.low, radius);
         EXPECT_GE(near.range.high, radius);
         EXPECT_NEAR(faces.radius(u, near, layer), radius, 1e-9 * radius);
+        const double bound = faces.radius_bound(u, layer);
+        EXPECT_TRUE(layer == Layer::nearest ? bound <= radius : bound >= radius) << bound << " " << radius;
       }
     }
   }
