@@ -14,6 +14,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <set>
 #include <sstream>
@@ -243,8 +244,10 @@ Body read_body(const Words& names) {
   return body;
 }
 
-/// Does a ray from p that meets no edge cross an odd number of these faces?
-bool is_odd(const Body& body, const Faces& faces, const Vec& p) {
+constexpr auto kNotTold = "a point is on a surface, or each ray from it meets an edge";
+
+/// Does a ray from p that meets no edge cross an odd number of these faces? None if it is not told.
+std::optional<bool> is_odd(const Body& body, const Faces& faces, const Vec& p) {
   std::mt19937 random(1);  // NOLINT(*-msc51-cpp): the same each time
   Vec along{0, 0, 1};
   for (int ray = 0; ray < 20; ++ray) {
@@ -265,17 +268,23 @@ bool is_odd(const Body& body, const Faces& faces, const Vec& p) {
     if (!edge) return odd;
     for (Integer& x : along) x = static_cast<int>(random() % 4001) - 2000;
   }
-  throw std::runtime_error("a point is on a surface, or each ray from it meets an edge");
+  return {};
 }
 
 /// Is a piece of one body inside a closed file of the other?
 bool one_inside(const Body& ball, const Body& socket) {
   const Faces& first = socket.closed[0];
-  const bool bone_outside = is_odd(socket, first, {0, 0, 0});
+  const auto bone_outside = is_odd(socket, first, {0, 0, 0});
+  require(bone_outside.has_value(), kNotTold);
+  bool told = true;
   for (const auto& [body, other] : {std::pair{&ball, &socket}, {&socket, &ball}})
     for (const Index v : body->pieces)
-      for (const Faces& file : other->closed)
-        if (is_odd(*other, file, body->moved[v]) != (bone_outside && &file == &first)) return true;
+      for (const Faces& file : other->closed) {
+        const auto odd = is_odd(*other, file, body->moved[v]);
+        if (odd && *odd != (*bone_outside && &file == &first)) return true;
+        told = told && odd.has_value();
+      }
+  require(told, kNotTold);
   return false;
 }
 

@@ -186,14 +186,14 @@ def is_inside(x, points, files, hollow):
             odd[k] ^= above > 0 and not min(turns) < 0 < max(turns)
     return any(odd)
 
-def any_inside(of, body, place, is_socket):
-    """Is a piece of a body, moved by place(), inside a closed file of the other body? The direction "above" leans a little."""
+def each_inside(of, body, place, is_socket):
+    """Is each piece of a body, moved by place(), inside a closed file of the other body? None where that is not known. The direction "above" leans a little."""
     lean = lambda p: (1000 * p[0] + 209 * p[2], 1000 * p[1] + 96 * p[2], p[2])
     points = list(map(lean, body.points))
     body.hollow = is_socket and is_inside((0, 0, 0), points, body.closed[:1], False)
+    need(body.hollow is not None, "no line up tells whether the centre is inside")
     tried = lambda f: is_inside(lean([v * body.unit for v in place(of.points[f[0]])]), points, body.closed, body.hollow)
-    known = [next((inside for inside in map(tried, faces) if inside is not None), None) for faces in of.pieces.values() if any(body.closed)]
-    return need(None not in (body.hollow, *known), "no line up tells what is inside") or any(known)
+    return [next((inside for inside in map(tried, faces) if inside is not None), None) for faces in of.pieces.values() if any(body.closed)]
 
 def passes(p, q, a, b, c):
     """Does an edge meet a triangle without lying in its plane?"""
@@ -237,9 +237,9 @@ def check(certificate, ball, socket, *parts):
         need(any(passes(h[k - 1], h[k], *other) for h, other in ((f, g), (g, f)) for k in range(3)), "the two faces do not meet")
         proven = "face {} of the ball and face {} of the socket have a common point".format(*faces)
     else:
-        inside = any_inside(ball, socket, in_socket, True) or any_inside(socket, ball, in_ball, False)
-        proven = f"{'a point' if inside else 'no piece'} of one body is inside a closed file of the other"
-        need(inside == (says == "contact"), proven)
+        known = each_inside(ball, socket, in_socket, True) + each_inside(socket, ball, in_ball, False)
+        need((inside := any(known)) or None not in known, "no line up tells what is inside")
+        need(inside == (says == "contact"), proven := f"{'a point' if inside else 'no piece'} of one body is inside a closed file of the other")
     return "\n".join([f"{says}: {'no two faces meet, and ' * (says == 'clear')}{proven}", *told(head, ball, socket)])
 
 

@@ -181,7 +181,9 @@ def main(number: int) -> None:
         all_bases = list(bases(root))
         ends = [(lines[0].split()[-1], lines[HEAD].split()[0]) for lines, _, _ in all_bases]
         assert len(ends) > 20 and {("contact", "cross"), ("contact", "inside")} < {*ends} and {end[0] for end in ends} == {"clear", "contact"}, ends
-        cases = [("none", *base) for base in all_bases] + [mutated(dice, all_bases) for _ in range(number)]
+        (first, _, *rest), ball, socket = next(base for base in all_bases if (base[1][0].stem, base[2][0].stem) == ("beyond", "large"))
+        beside = [first, "files 2 1", *rest], ball + socket, socket  # one piece lies on the socket's surface, another is inside
+        cases = [("none", *base) for base in (*all_bases, beside)] + [mutated(dice, all_bases) for _ in range(number)]
         by_files = itertools.groupby(sorted(cases, key=lambda case: case[2:]), key=lambda case: case[2:])
         for (ball, socket), group in by_files:
             group = list(group)
