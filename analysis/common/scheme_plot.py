@@ -92,10 +92,11 @@ def name_points(axes: plt.Axes, x: pd.Series, y: pd.Series, names: list[str]) ->
 
 
 def _name(axes: plt.Axes, name: str, at: tuple, offset: tuple[float, float]) -> Text:
-    """The words and their line."""
+    """The words and their line. A white box behind them, since words with a halo would be curves in the PDF, which no search finds."""
     dx, _ = offset
+    box = {"facecolor": "white", "edgecolor": "none", "pad": 0.5, "alpha": 0.8}
     leader = {"arrowstyle": "-", "color": common.THESIS_GREY, "linewidth": 0.6, "shrinkA": 0, "shrinkB": 4}
-    look = {"va": "center", "arrowprops": leader, "path_effects": common.drawing.HALO, "zorder": 4}
+    look = {"va": "center", "arrowprops": leader, "bbox": box, "zorder": 4}
     return common.note(axes, name, at, offset, ha="left" if dx > 0 else "right" if dx < 0 else "center", **look)
 
 
