@@ -23,7 +23,6 @@ constexpr double kSquared = 1e-13;  // share of the square of a length
 constexpr double kTouches = 1e-6;   // share of a ball's radius by which it may reach beyond the surface
 constexpr double kLeastArm = 0.1;   // mm, added to an arm that a distance is divided by
 constexpr int kMostShrinks = 30;    // of one ball
-constexpr std::size_t kWays = 3;    // directions that are tried for two faces
 
 double farthest(const TurnFace& face) {
   return std::sqrt(
@@ -36,6 +35,7 @@ NearBodies::NearBodies(const NearPoses& poses, double gap_mm)
     : poses_(poses),
       cosine_(std::cos(std::min(poses.turn, kPi))),
       sine_(std::sin(std::min(poses.turn, kPi))),
+      chord_(2.0 * std::sin(0.5 * std::min(poses.turn, kPi))),
       more_(poses.shift_mm + gap_mm),
       gap_(gap_mm),
       away_(poses.offset.norm()) {}
@@ -97,11 +97,13 @@ Vec3 NearBodies::way(std::size_t k, const TurnFace& moved, const TurnFace& face)
   return (far > 0.0 && side > 0.0 ? Vec3(along + left / side * (to - along)) : out).stableNormalized();
 }
 
-bool NearBodies::apart(const TurnFace& moved, const TurnFace& face) const {
+bool NearBodies::apart(const TurnFace& moved, const TurnFace& face, Ways& ways) const {
   const double slack = more_ + kRounding * (farthest(moved) + farthest(face));
-  for (std::size_t k = 0; k < kWays; ++k)
-    if (apart_along(way(k, moved, face), moved, face, slack)) return true;
-  const double reach = 2.0 * std::sin(0.5 * std::min(poses_.turn, kPi)) * farthest(moved) + slack;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    ways[k] = way(k, moved, face);
+    if (apart_along(ways[k], moved, face, slack)) return true;
+  }
+  const double reach = chord_ * farthest(moved) + slack;
   for (const Vec3& x : moved.corner)
     for (const Vec3& y : face.corner)
       if ((x - y).squaredNorm() <= reach * reach) return false;
@@ -115,7 +117,14 @@ bool NearBodies::apart(const Asked& asked, std::uint32_t p, std::uint32_t q) con
   const double slack = more_ + kRounding * (a.farthest + b.farthest);
   if (std::max(a.nearest - b.farthest, b.nearest - a.farthest) > slack + away_) return true;
   const double reach = a.radius + b.radius + slack;
-  return least_squared(turned(a.centre), seen(b.centre)) > reach * reach || (asked.told && asked.told(p, q));
+  const Vec3 x = turned(a.centre);
+  const Vec3 y = seen(b.centre);
+  // Most pairs are decided by their distance in the middle pose, and by how far a turn may move a centre.
+  const double squared = (x - y).squaredNorm();
+  const double farther = reach + chord_ * a.farthest;
+  const bool are_apart =
+      squared > farther * farther || (squared > reach * reach && least_squared(x, y) > reach * reach);
+  return are_apart || (asked.told && asked.told(p, q));
 }
 
 NodePairs NearBodies::left(const Asked& asked, std::size_t most) const {
@@ -134,29 +143,30 @@ NodePairs NearBodies::left(const Asked& asked, std::size_t most) const {
   return kept;
 }
 
-// Calls meet(face of the ball, that face turned by R, face of the socket) for pairs that may come as near as
-// the gap, until it is true; returns whether it was.
+// Calls meet(face of the ball, that face turned by R, face of the socket, ways) for pairs that may come as
+// near as the gap, until it is true; returns whether it was.
 template <class Meet>
 bool NearBodies::any_close(const Asked& asked, const Meet& meet) const {
   const auto are_apart = [&](std::uint32_t p, std::uint32_t q) { return apart(asked, p, q); };
   const auto meets = [&](std::uint32_t p, std::uint32_t q) {
     const TurnFace face = seen(asked.socket.parts()[q]);
     const TurnFace moved = turned(asked.ball.parts()[p]);
-    return !apart(moved, face) && meet(asked.ball.parts()[p], moved, face);
+    Ways ways;
+    return !apart(moved, face, ways) && meet(asked.ball.parts()[p], moved, face, ways);
   };
   return any_pair(asked.ball, asked.socket, are_apart, meets, asked.pairs);
 }
 
 bool NearBodies::may_meet(const Asked& asked) const {
-  return any_close(asked, [](const TurnFace&, const TurnFace&, const TurnFace&) { return true; });
+  return any_close(asked,
+                   [](const TurnFace&, const TurnFace&, const TurnFace&, const Ways&) { return true; });
 }
 
 bool NearBodies::each_close(const Asked& asked, const TakeClose& take) const {
-  const auto stops = [&](const TurnFace& a, const TurnFace& moved, const TurnFace& face) {
+  const auto stops = [&](const TurnFace& a, const TurnFace& moved, const TurnFace& face, const Ways& ways) {
     double best = 0.0;
     ClosePair pair{a.corner, Vec3::Zero(), 0.0};
-    for (std::size_t k = 0; k < kWays; ++k) {
-      const Vec3 n = way(k, moved, face);
+    for (const Vec3& n : ways) {
       double most_of_ball = -HUGE_VAL;
       double least = HUGE_VAL;
       for (const Vec3& x : moved.corner) most_of_ball = std::max(most_of_ball, n.dot(x));
@@ -217,7 +227,7 @@ bool NearBodies::any_within_reach(const BodyTrees& ball, const BodyTrees& socket
 
 bool NearBodies::stay_in_contact(const BodyTrees& ball, const BodyTrees& socket) const {
   const auto far = [&](const Vec3& p, const Vec3& y, double reach) {
-    return most_squared(p, y) > reach * reach;
+    return (p - y).squaredNorm() > reach * reach || most_squared(p, y) > reach * reach;
   };
   return any_within_reach(ball, socket, far, [&](const WithinReach& at) {
     return most_squared(turned(at.of_ball), at.of_socket) <= at.reach * at.reach;

@@ -95,12 +95,14 @@ class NearBodies {
   bool apart(const Asked& asked, std::uint32_t p, std::uint32_t q) const;
   template <class Meet>
   bool any_close(const Asked& asked, const Meet& meet) const;
-  bool apart(const TurnFace& moved, const TurnFace& face) const;
+  using Ways = std::array<Vec3, 3>;  // directions that are tried for two faces
+  bool apart(const TurnFace& moved, const TurnFace& face, Ways& ways) const;
   Vec3 way(std::size_t k, const TurnFace& moved, const TurnFace& face) const;
   bool apart_along(const Vec3& n, const TurnFace& moved, const TurnFace& face, double slack) const;
 
   const NearPoses& poses_;
   double cosine_, sine_;  // of the largest turn
+  double chord_;          // by which it moves a point, as a share of its distance from the centre
   double more_;           // mm, the shift and the gap
   double gap_;            // mm
   double away_;           // mm, the length of the offset
