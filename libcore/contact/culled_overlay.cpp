@@ -75,7 +75,7 @@ OverlayReach::OverlayReach(const OverlayFace& face, bool of_the_ball) : of_ball(
     const float dz = block.z[k] - reach.z;
     const float within = reach.wide + block.angle[k];  // a chord is below its angle
     const float above = reach.of_ball ? reach.high - block.low[k] : block.high[k] - reach.low;
-    near[k] = (dx * dx + dy * dy + dz * dz <= within * within) & (above >= 0.0F) ? 1 << k : 0;
+    near[k] = ((dx * dx + dy * dy + dz * dz <= within * within) & (above >= 0.0F)) ? 1 << k : 0;
   }
   std::int32_t all = 0;
   for (std::size_t k = 0; k < CapBlock::kLanes; ++k) all |= near[k];
