@@ -142,7 +142,9 @@ class CapTreeBuilder {
   // The node of a run of items: up to eight runs of up to eight items, or more in the deepest cells.
   SummarisedNode of_run(const ItemRun& all) {
     if (all.count == 1) return leaf(all);
-    const auto each = static_cast<std::uint32_t>(all.count <= kLanes ? 1 : (all.count + kLanes - 1) / kLanes);
+    // Runs of eight items, as long as there are no more than eight of them: fewer blocks, all lanes in use.
+    const auto each = static_cast<std::uint32_t>(
+        all.count <= kLanes ? 1 : std::max<std::size_t>(kLanes, (all.count + kLanes - 1) / kLanes));
     std::vector<ItemRun> parts;
     for (std::uint32_t k = 0; k < all.count; k += each)
       parts.push_back({all.first + k, std::min(each, all.count - k)});
@@ -197,6 +199,7 @@ std::optional<CapItem> cap_item(const TriangleMesh& mesh, const Face& face) {
 
 CapTree::CapTree(std::span<const CapItem> items) {
   if (!items.empty()) CapTreeBuilder(items, blocks_, order_).build();
+  blocks_.shrink_to_fit();
 }
 
 }  // namespace impinge

@@ -17,7 +17,8 @@ class Lists {
 
   Lists() : first_(1, 0) {}
   /// Makes `count` lists, each with its numbers in the order of the pairs. A counting sort, in linear time.
-  Lists(std::size_t count, std::span<const Pair> pairs) : first_(count + 2, 0), numbers_(pairs.size()) {
+  template <class Pairs>
+  Lists(std::size_t count, const Pairs& pairs) : first_(count + 2, 0), numbers_(pairs.size()) {
     for (const auto& [list, number] : pairs) ++first_[list + 2];
     for (std::size_t k = 2; k < first_.size(); ++k) first_[k] += first_[k - 1];
     for (const auto& [list, number] : pairs) numbers_[first_[list + 1]++] = number;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <utility>
 #include <vector>
@@ -62,7 +63,7 @@ class DirectionIndex {
  private:
   CubeGnomonic grid_;
   CubeGnomonic::Walker walker_;
-  std::vector<Lists::Pair> pairs_;  // entry and face, until they are sorted
+  std::deque<Lists::Pair> pairs_;  // entry and face, until they are sorted: no copy as it grows
   Lists faces_;
 };
 
