@@ -17,9 +17,7 @@ CapTree tree_of(const TriangleMesh& mesh) {
   std::vector<CapItem> items;
   for (const std::uint32_t v : surface_vertices(mesh)) {
     const double length = mesh.vertices[v].norm();
-    CapItem item{{Vec3::UnitZ(), kPi}, {length, length}};  // a vertex at the centre has any direction
-    if (length > 0.0) item.cap = {mesh.vertices[v].stableNormalized(), 0.0};
-    items.push_back(item);
+    items.push_back({{mesh.vertices[v].stableNormalized(), 0.0}, {length, length}});  // none is at the centre
   }
   return CapTree(items);
 }

@@ -270,6 +270,24 @@ TEST(BodyPairs, WhatIsBehindASheetIsKnownOfMainSurfacesOnly) {
   }
 }
 
+// Two sheets of which one is a part: none has an inside, so that contact in all of many poses is not shown.
+// Between the main surfaces alone radii decide.
+TEST(BodyPairs, TwoSheetsHaveNoInside) {
+  const TriangleMesh sheet = test::inside_out(test::moved(cup(10.0, 60.0, 400), kFar));
+  const TriangleMesh bone = sphere_at(2.0, 1, kFar);
+  const BallSocketPair cropped{cup(5.0, 60.0, 100), test::inside_out(cup(8.0, 60.0, 100))};
+  const auto told = [](const BallSocketPair& main, const BoneParts& beside) {
+    return BodyPairs(main, beside).without_inside();
+  };
+  EXPECT_FALSE(told(cropped, {}));
+  EXPECT_FALSE(told(cropped, {{bone}, {bone}}));
+  EXPECT_FALSE(told(small_joint(), {{}, {sheet}})) << "a closed ball has an inside";
+  const auto parts = told(cropped, {{bone, sheet}, {bone, sheet}});
+  ASSERT_TRUE(parts);
+  EXPECT_EQ(parts->ball, 2U);
+  EXPECT_EQ(parts->socket, 2U);
+}
+
 // Of main surfaces: a head behind a cropped socket, which nothing meets, is in contact by radii. What a
 // motion comes to is asked without these.
 TEST(BodyPairs, BehindASheetRadiiDecide) {
@@ -716,6 +734,7 @@ TEST(BodyPairs, APartWithoutFacesIsNowhere) {
     EXPECT_EQ(verdict(pairs).contact, Contact::no);
     EXPECT_FALSE(pairs.may_meet({.turn = 0.01, .shift_mm = 0.5}));
     EXPECT_FALSE(pairs.overlap({.turn = 0.01}));
+    EXPECT_TRUE(pairs.each_close({.turn = 0.01}, false, [](const ClosePair&) { return false; }));
     EXPECT_TRUE(pairs.deepest({.turn = 0.01}, false, 5).empty());
     const BodyPairs::Nearest found = pairs.nearest_part({}).value();
     EXPECT_NE(of_ball ? found.pair.ball : found.pair.socket, 1U) << "of the bones only";
@@ -1028,6 +1047,17 @@ TEST(NearBodies, FacesAboveEachOtherAreApartUntilTheyAreNear) {
       EXPECT_TRUE(NearBodies(poses, 0.0).may_meet({ball, socket, {}, {{0, 0}}})) << z;
       EXPECT_TRUE(NearBodies({.turn = turn}, 3.01).may_meet({ball, socket, {}, {{0, 0}}})) << z;
     }
+  }
+}
+
+// The middle of the ball's face is the centre, so that no direction leads out of it.
+TEST(NearBodies, AFaceRoundTheCentreIsApartUntilItIsNear) {
+  const SweptParts ball({turn_face({3, 0, 0}, {-1, 2, 0}, {-2, -2, 0})});
+  const SweptParts socket({turn_face({30, 0, 2}, {-10, 20, 2}, {-20, -20, 2})});
+  for (const double turn : {0.0, 0.05, 0.5}) {
+    const double nearer = 2.0 - 3.0 * std::sin(turn);  // of the farthest corner
+    EXPECT_FALSE(NearBodies({.turn = turn}, 0.99 * nearer).may_meet({ball, socket, {}, {{0, 0}}})) << turn;
+    EXPECT_TRUE(NearBodies({.turn = turn}, 2.01).may_meet({ball, socket, {}, {{0, 0}}})) << turn;
   }
 }
 

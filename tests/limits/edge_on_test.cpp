@@ -53,6 +53,25 @@ TEST(TheoremContact, EdgeOnFacesMeetWhereCgalSays) {
   EXPECT_GT(std::min({unseen[0], unseen[1], apart}), random_cases() / 20);
 }
 
+// Where radii decide about the rest nothing is left of the surfaces but these faces, which are asked about
+// anew: with what is left of many poses and without it the answers are the same.
+TEST(BodyPairs, OfEdgeOnFacesNothingIsLeft) {
+  test::Dice dice(3);
+  std::array<std::size_t, 2> meet{};
+  for (std::size_t k = 0; k < random_cases() / 10; ++k) {
+    const BallSocketPair joint = test::grid_joint(dice);
+    const BodyPairs pairs(joint, {});
+    const NearPoses poses{.rotation = test::grid_turn(dice), .turn = 0.1};
+    const BodyPairs::Left left = pairs.left(poses, true);
+    ASSERT_EQ(left.size(), 1U);
+    EXPECT_TRUE(left[0].empty());
+    const bool may = pairs.may_meet(poses, true).has_value();
+    EXPECT_EQ(pairs.may_meet(poses, true, left).has_value(), may) << k;
+    ++meet[may ? 1 : 0];
+  }
+  EXPECT_GT(std::min(meet[0], meet[1]), 0U);
+}
+
 // No limit is free where the surfaces meet, from the start on.
 TEST(TheoremTurn, EdgeOnFacesStopWhereCgalSays) {
   test::Dice dice(2);

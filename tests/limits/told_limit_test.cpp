@@ -55,6 +55,29 @@ TEST(ToldLimit, OfACornerAndAWallIsAnArcsine) {
   EXPECT_EQ(blocked.half_mm_gap_deg, 0.0);
 }
 
+// More than five degrees earlier for some centre, or with a gap of half a millimetre so much earlier.
+TEST(ToldLimit, SaysWhatALimitHangsOn) {
+  const auto said = [](LimitState state, double common_low, double common_high, std::optional<double> gap) {
+    ToldLimit told;
+    told.limit.state = state;
+    told.limit.low_deg = told.limit.high_deg = 30.0;
+    told.common = {common_low, common_high, true};
+    told.half_mm_gap_deg = gap;
+    EXPECT_EQ(told.sensitivity().empty(), !told.hangs_on_less());
+    return told.sensitivity();
+  };
+  constexpr LimitState kLimited = LimitState::limited;
+  EXPECT_EQ(said(kLimited, 26.0, 34.0, 26.0), "");
+  EXPECT_EQ(said(kLimited, 26.0, 34.0, std::nullopt), "");
+  EXPECT_EQ(said(kLimited, 24.0, 34.0, 26.0), "sensitive to 0.5 mm of the centre");
+  EXPECT_EQ(said(kLimited, 26.0, 36.0, 26.0), "sensitive to 0.5 mm of the centre");
+  EXPECT_EQ(said(LimitState::free, 26.0, 36.0, std::nullopt), "") << "there is no end that could be later";
+  EXPECT_EQ(said(kLimited, 26.0, 34.0, 24.0), "sensitive to 0.5 mm of play");
+  EXPECT_EQ(said(LimitState::free, 26.0, 34.0, 29.0), "sensitive to 0.5 mm of play");
+  EXPECT_EQ(said(LimitState::blocked, 24.0, 34.0, 24.0), "sensitive to 0.5 mm of the centre");
+  EXPECT_EQ(said(kLimited, 24.0, 34.0, 24.0), "sensitive to 0.5 mm of the centre and of play");
+}
+
 // In other units the limit is the same, however small they are; then half a millimetre tells nothing.
 TEST(ToldLimit, OfTinyUnitsIsToldWithoutOtherCentres) {
   for (const double unit : {1.0, 1e-3, 0x1p-40}) {

@@ -136,6 +136,22 @@ TEST(CellParts, APlaneThatCutsTwentyFourFacesIsKept) {
 }
 
 // A bound without a slope is the same in all of the cell.
+// Planes through a corner, an edge or a side of the cell cut nothing off; those that leave only these keep no
+// volume.
+TEST(CellParts, APlaneThatTouchesKeepsAllOrNoVolume) {
+  const CellFrame frame({3, 0});
+  const double all = CellPolytope().share(frame);
+  for (const auto& [slope, touches] :
+       {std::pair{Vec3(1, 1, 1), 3.0}, {Vec3(1, 1, 0), 2.0}, {Vec3(0, 0, -1), 1.0}}) {
+    CellPolytope kept;
+    EXPECT_TRUE(kept.clip(plane_across(-slope, touches), 6));
+    EXPECT_EQ(kept.share(frame), all);
+    CellPolytope left;
+    EXPECT_TRUE(left.clip(plane_across(slope, -touches), 6));
+    EXPECT_LE(left.share(frame), 1e-12 * all);
+  }
+}
+
 TEST(CellParts, AFormWithoutASlopeIsAllOrNothing) {
   for (const double value : {1e-9, 1.0, 1e9}) {
     const CellPlane all = FormOverCell{value, Vec3::Zero(), 0.0}.plane();

@@ -407,6 +407,10 @@ TEST(CellTest, AsksOfABallOfRotationsWhateverWasEntered) {
     search.enter(cell_near(dice.quaternion(), dice, 5, 6));
     const RotationBall about{dice.rotation(), 0.01};
     EXPECT_EQ(search.decide(about).state, CellSearch(test).decide(about).state);
+    for (const int level : {0, 6, 11}) {
+      const RotationCell cell = cell_near(dice.quaternion(), dice, level, level);
+      EXPECT_EQ(search.decide(cell).state, CellSearch(test).decide(cell).state);
+    }
   }
 }
 

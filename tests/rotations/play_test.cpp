@@ -45,6 +45,20 @@ double most_inside(std::span<const ShiftHalfSpace> all, const Vec3& shift) {
   return most;
 }
 
+// The longest shifts too are kept to a step and no longer than the play, whichever way they are rounded.
+TEST(ShiftSteps, AreNoLongerThanThePlay) {
+  constexpr double kPlay = 0.7;
+  test::Dice dice(72);
+  for (std::size_t k = 0; k < random_cases(); ++k) {
+    const Vec3 shift = kPlay * any_shift(dice);
+    const Vec3 kept = shift_of(steps_of(shift, kPlay), kPlay);
+    EXPECT_LE(kept.norm(), kPlay);
+    EXPECT_LE((kept - shift).cwiseAbs().maxCoeff(), 1.51 * kPlay / kShiftSteps);
+  }
+  for (const Vec3& along : {Vec3(0.6, 0.8, 0.0), Vec3(-0.6, 0.0, 0.8), Vec3(0.0, 0.0, -1.0)})
+    EXPECT_LE(shift_of(steps_of(kPlay * along, kPlay), kPlay).norm(), kPlay);
+}
+
 // No shift is less far inside than is said; and the shift that is told is hardly farther, most often.
 TEST(TheoremPlay, HalfSpacesHoldAllShifts) {
   constexpr double kPlay = 2.0;
