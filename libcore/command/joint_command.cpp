@@ -246,10 +246,10 @@ void add_command(CLI::App& program, QuestionCommand question, const Screen& scre
   command->question.add_options(app);
   const std::function<void()> use_config = add_joint_options(app, command->joint);
   const std::string group = "The answer";
-  CLI::Option* const out =
-      app.add_option("-o,--out", command->out, "folder for files; without it the answer is on the screen alone")
-          ->type_name("DIR")
-          ->group(group);
+  CLI::Option* const out = app.add_option("-o,--out", command->out,
+                                          "folder for files; without it the answer is on the screen alone")
+                               ->type_name("DIR")
+                               ->group(group);
   if (command->question.writes_meshes)
     add_word(app, "--mesh-format", command->work.mesh_format, "of the meshes that are written")
         ->group("The question");
