@@ -28,7 +28,7 @@ class LeastGapSearch {
     }
     while (count_ > 0) {
       const Pending next = pending_[--count_];
-      if (next.gap <= limit()) open(next);
+      if (!(next.gap > limit())) open(next);
     }
     return best_;
   }

@@ -144,11 +144,6 @@ BodyPairs::Body::Body(const TriangleMesh& of, bool turns, Is what) {
   if (alone) return;
   find_openings(each);
   for (const Vec3& x : mesh.vertices) box.extend(x);
-  for (const Opening& at : openings) {
-    for (int k = 0; k < 8; ++k)
-      box.extend(
-          (at.axes.transpose() * at.box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k))).eval());
-  }
   hollow = what != Is::part && !turns && openings.empty() && encloses(Vec3::Zero()) == Contact::yes;
   if (what == Is::main && sheet) wound = winding(mesh, turns);
   find_pieces(mesh);
@@ -180,6 +175,7 @@ void BodyPairs::Body::find_openings(const TriangleMesh& all) {
     sheet = sheet || (!cut && size.norm() > kWidestHole * 2.0 * radius);
     add_box(openings.back(), lid);
   }
+  for (const Vec3& x : lid.vertices) box.extend(x);
   if (!sheet) lids = TurnBody(lid);
 }
 

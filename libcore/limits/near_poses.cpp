@@ -119,7 +119,7 @@ bool NearBodies::apart(const Asked& asked, std::uint32_t p, std::uint32_t q) con
   const double reach = a.radius + b.radius + slack;
   const Vec3 x = turned(a.centre);
   const Vec3 y = seen(b.centre);
-  // Most pairs are decided by their distance in the middle pose, and by how far a turn may move a centre.
+  // Most pairs are decided by their distance in the middle pose, and by how far a turn may move a point.
   const double squared = (x - y).squaredNorm();
   const double farther = reach + chord_ * a.farthest;
   const bool are_apart =

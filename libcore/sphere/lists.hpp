@@ -16,7 +16,8 @@ class Lists {
   using Pair = std::array<std::uint32_t, 2>;
 
   Lists() : first_(1, 0) {}
-  /// Makes `count` lists, each with its numbers in the order of the pairs. A counting sort, in linear time.
+  /// Makes `count` lists, each with its numbers in the order of the pairs, a range of Pair. A counting sort,
+  /// in linear time.
   template <class Pairs>
   Lists(std::size_t count, const Pairs& pairs) : first_(count + 2, 0), numbers_(pairs.size()) {
     for (const auto& [list, number] : pairs) ++first_[list + 2];

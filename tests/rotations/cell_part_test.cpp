@@ -135,7 +135,6 @@ TEST(CellParts, APlaneThatCutsTwentyFourFacesIsKept) {
   EXPECT_NEAR(left.share(frame), 0.5 * whole, 1e-4 * whole);
 }
 
-// A bound without a slope is the same in all of the cell.
 // Planes through a corner, an edge or a side of the cell cut nothing off; those that leave only these keep no
 // volume.
 TEST(CellParts, APlaneThatTouchesKeepsAllOrNoVolume) {
@@ -152,6 +151,7 @@ TEST(CellParts, APlaneThatTouchesKeepsAllOrNoVolume) {
   }
 }
 
+// A bound without a slope is the same in all of the cell.
 TEST(CellParts, AFormWithoutASlopeIsAllOrNothing) {
   for (const double value : {1e-9, 1.0, 1e9}) {
     const CellPlane all = FormOverCell{value, Vec3::Zero(), 0.0}.plane();
