@@ -118,7 +118,8 @@ class BodyPairs {
   /// here.
   std::optional<Pair> may_meet(const NearPoses& poses, bool by_radii = false, const Left& left = {}) const;
   /// Calls take() for the pairs of faces that may meet in one of the poses (NearBodies::each_close()). True
-  /// if the bodies are proven to be apart in the middle pose, and in all poses in which no such pair meets.
+  /// if take() was, and no body holds a point of another in the middle pose, if no such pair meets there.
+  /// Then the bodies are apart on all ways from there through poses in which no such pair meets.
   bool each_close(const NearPoses& poses, bool by_radii, const TakeClose& take, const Left& left = {}) const;
   /// Makes overlap() and deepest() ready, which takes a while. `main` as given to the constructor, `by_radii`
   /// as these will be asked.

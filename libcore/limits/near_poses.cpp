@@ -162,24 +162,26 @@ bool NearBodies::may_meet(const Asked& asked) const {
                    [](const TurnFace&, const TurnFace&, const TurnFace&, const Ways&) { return true; });
 }
 
+std::optional<ApartPlane> ClosePair::plane(std::size_t k) const {
+  ApartPlane plane{Vec3::Zero(), HUGE_VAL, 0.0};
+  if (k < ways.size()) {
+    plane.normal = ways[k];
+  } else {
+    const std::size_t i = k / 3 - 1;
+    const std::size_t j = k % 3;
+    const Vec3 n = (moved[(i + 1) % 3] - moved[i]).cross(of_socket[(j + 1) % 3] - of_socket[j]);
+    plane.normal = (n.dot(of_socket[j] - moved[i]) < 0.0 ? Vec3(-n) : n).stableNormalized();
+  }
+  double most = -HUGE_VAL;  // of the ball
+  for (const Vec3& x : moved) most = std::max(most, plane.normal.dot(x));
+  for (const Vec3& y : of_socket) plane.least = std::min(plane.least, plane.normal.dot(y) - gap);
+  plane.angle = (plane.least - most) / (plane.normal.cross(moved[0]).norm() + kLeastArm);
+  return plane.angle > kRounding ? std::optional(plane) : std::nullopt;
+}
+
 bool NearBodies::each_close(const Asked& asked, const TakeClose& take) const {
   const auto stops = [&](const TurnFace& a, const TurnFace& moved, const TurnFace& face, const Ways& ways) {
-    double best = 0.0;
-    ClosePair pair{a.corner, Vec3::Zero(), 0.0};
-    for (const Vec3& n : ways) {
-      double most_of_ball = -HUGE_VAL;
-      double least = HUGE_VAL;
-      for (const Vec3& x : moved.corner) most_of_ball = std::max(most_of_ball, n.dot(x));
-      for (const Vec3& y : face.corner) least = std::min(least, n.dot(y));
-      least -= more_;
-      // As the angle of a turn that closes this distance.
-      const double apart = (least - most_of_ball) / (n.cross(moved.corner[0]).norm() + kLeastArm);
-      if (apart <= best) continue;
-      best = apart;
-      pair.normal = n;
-      pair.least = least;
-    }
-    return best == 0.0 || !take(pair);
+    return !take({a.corner, moved.corner, face.corner, ways, more_});
   };
   std::vector<std::pair<double, NodePairs::value_type>> nearest;
   for (const auto& pair : asked.ball.empty() || asked.socket.empty() ? NodePairs() : asked.pairs) {
@@ -376,7 +378,7 @@ InnerBalls::InnerBalls(const SweptParts& faces, const BodyInside& inside) {
   const auto take = [&](const Vec3& v, const Vec3& side) {
     if (!inside.holds) return false;
     // Starts a little below the surface: beside v the faces may be bent towards the ball.
-    const TouchingBall touches = touching.at(v + 0.5 * finest * side, side);
+    const TouchingBall touches = touching.at(v + 2.0 * finest * side, side);
     const auto ball = touches.radius > finest ? measured(v, touches.centre) : std::nullopt;
     if (ball && ball->radius > finest) balls.push_back(*ball);
     return ball.has_value();

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -36,12 +37,26 @@ struct WithinReach {
   double reach;  // mm
 };
 
-/// A face of the ball and a face of the socket that a plane keeps apart in the middle pose R. All points x of
-/// the ball's face have n . R x < least, all y of the socket's n . y >= least plus the gap.
+/// A plane that keeps two faces apart in the middle pose R: n . R x < least for all points x of the ball's
+/// face, n . y >= least plus the gap for all y of the socket's.
+struct ApartPlane {
+  Vec3 normal;   // unit n, socket's frame
+  double least;  // mm
+  double angle;  // radians, of a turn that closes the distance, roughly
+};
+
+/// A face of the ball and a face of the socket that may come near each other in one of the poses.
 struct ClosePair {
-  Triangle of_ball;  // as the ball lies at rest, mm
-  Vec3 normal;       // unit n, socket's frame
-  double least;      // mm
+  const Triangle& of_ball;          // as the ball lies at rest, mm
+  const Triangle& moved;            // as R turns it
+  const Triangle& of_socket;        // from the shifted ball's centre
+  const std::array<Vec3, 3>& ways;  // unit normals to be tried first
+  double gap;                       // mm, the shift and the gap
+
+  static constexpr std::size_t kPlanes = 12;
+  /// The kth plane that is tried: across the ways, then along an edge of each face. None where it does not
+  /// keep the faces apart. If no k has a plane, they meet, or their gap is too small.
+  std::optional<ApartPlane> plane(std::size_t k) const;
 };
 
 using TakeClose = std::function<bool(const ClosePair&)>;  // false ends the search
@@ -73,7 +88,7 @@ class NearBodies {
   /// May the surfaces come as near as the gap in one of the poses? No is proven.
   bool may_meet(const Asked& asked) const;
   /// Calls take() for all pairs of faces that may come so near, the nearest first, more or less. False if
-  /// some pair has no plane that keeps it apart in the middle pose, or take() was false.
+  /// take() was.
   bool each_close(const Asked& asked, const TakeClose& take) const;
   /// Is there a point of one body that stays in an inner ball of the other, or within the gap of it, in all
   /// of the poses? Yes is proven.
@@ -127,9 +142,9 @@ class InnerBalls {
 
  private:
   /// For each level: the surface is no farther from some ball than this share of the body's size.
-  static constexpr std::array<double, 4> kNear{0.03, 0.01, 0.003, 0.001};
-  static constexpr double kOfWay = 0.25;           // of() takes a share of at most this part of the turn
-  static constexpr std::size_t kMostAsked = 4000;  // faces
+  static constexpr std::array<double, 6> kNear{0.03, 0.01, 0.003, 0.001, 0.0005, 0.00025};
+  static constexpr double kOfWay = 0.02;            // of() takes a share of at most this part of the turn
+  static constexpr std::size_t kMostAsked = 12000;  // faces
   std::array<SweptParts, kNear.size()> levels_;
 };
 

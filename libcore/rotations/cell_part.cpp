@@ -76,6 +76,8 @@ FormOverCell CellFrame::form(const Vec3& n, const Vec3& x, double k, double sign
     rest += std::min(a(side_[i], side_[i]), 0.0);
     for (std::size_t j = 0; j < i; ++j) rest -= 2.0 * std::abs(a(side_[i], side_[j]));
   }
+  // As |n . R x| <= |n| |x|, no eigenvalue of a is below this: of use where n goes along R x.
+  rest = std::max(rest, 3.0 * std::min(-sign * k - n.norm() * x.norm(), 0.0));
   const double norm = middle_.squaredNorm() + 2.0 * half_ * middle_.norm() * 2.0 + 3.0 * half_ * half_;
   over.middle = middle_.dot(image);
   over.least =
@@ -103,13 +105,14 @@ CellPolytope::CellPolytope() {
   }
 }
 
-bool CellPolytope::meets(const FormOverCell& form) const {
+double CellPolytope::depth_below(const FormOverCell& form) const {
   const double offset = form.middle + form.least;
-  if (offset >= form.corner()) return false;
+  if (offset >= form.corner()) return 0.0;
+  double least = 0.0;
   for (std::size_t f = 0; f < faces_; ++f)
     for (std::size_t k = 0; k < face_[f].corners; ++k)
-      if (form.slope.dot(face_[f].corner[k]) + offset < 0.0) return true;
-  return false;
+      least = std::min(least, form.slope.dot(face_[f].corner[k]) + offset);
+  return least == 0.0 ? 0.0 : -least / std::max(form.slope.norm(), 1e-300);
 }
 
 double CellPolytope::farthest(const CellPlane& plane) const {

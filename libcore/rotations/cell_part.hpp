@@ -71,8 +71,8 @@ class CellPolytope {
   /// the polytope has too many faces or corners.
   bool clip(const CellPlane& plane, std::uint32_t number);
   bool empty() const { return faces_ == 0; }
-  /// Is the bound below 0 in some of it?
-  bool meets(const FormOverCell& form) const;
+  /// How far, in half sides, some of it is beyond the plane where the bound is 0; 0 if it is nowhere below 0.
+  double depth_below(const FormOverCell& form) const;
   double farthest(const CellPlane& plane) const;  // largest value of slope . t + offset
   bool bounds(std::uint32_t number) const;        // is some of the plane of that number a face?
   /// The share of all rotations that it holds, rounded down.

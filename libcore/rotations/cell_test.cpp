@@ -30,8 +30,8 @@ constexpr double kLeastGain = 0.05;          // a half-space that reaches less f
 constexpr double kLeastSlope = 1e-3;         // least share of a normal across a direction, as a divisor
 constexpr double kLeastNormal = 1e-9;        // mm^2, least cross product of two edges
 constexpr std::size_t kMostPairs = 4000;     // pairs of faces in a cell
-constexpr std::size_t kMostClose = 1000;     // pairs of faces of bodies in a cell
-constexpr double kLeastFree = 0.1;           // a smaller share of a cell is not worth its time
+constexpr std::size_t kMostClose = 10000;    // pairs of faces of bodies in a cell
+constexpr double kLeastFree = 0.3;           // a smaller share of a cell is not worth its time
 
 // A question for faces that come near a cap and are, somewhere, at least `least` from the centre.
 struct NearCap {
@@ -124,10 +124,10 @@ RotationBall ball_about(const RotationCell& cell) {
   return {rotation_of(centre(cell)), angular_radius(cell)};
 }
 
-CellTest::Side::Side(const TriangleMesh& mesh, Layer layer, const CellQuestion& question)
+CellTest::Side::Side(const TriangleMesh& mesh, Layer layer, const CellQuestion& question, bool ends)
     : seen(mesh, layer, layer == Layer::nearest && edge_on(question)),
       limits(without_edge_on(layer == Layer::farthest ? moved_out(mesh, question) : mesh), layer),
-      holes(layer == Layer::farthest ? mesh_holes(seen) : MeshHoles{CapTree({}), {}, {}}),
+      holes(ends ? mesh_holes(seen) : MeshHoles{CapTree({}), {}, {}}),
       floor(seen) {
   if (question.play_mm > 0.0) borders = seen.borders();
   if (layer == Layer::farthest && (question.gap_mm > 0.0 || question.centre_within_mm > 0.0))
@@ -140,7 +140,8 @@ CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question, co
       bodies_(joint, beside) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
     const Surface of = kSurfaces[k];
-    sides_[k] = std::make_unique<const Side>(mesh_of(joint, of), facing_layer(of), question);
+    sides_[k] = std::make_unique<const Side>(mesh_of(joint, of), facing_layer(of), question,
+                                             of == Surface::ball && !beside.whole_ball);
   });
   bodies_.find_inner_balls(joint, question_.gap_mm > 0.0 || !bodies_.has_inside());
   const SeenSurface& socket = surface(Surface::socket);
@@ -457,7 +458,9 @@ struct CellSearch::Parted {
     planes.push_back(plane);
     return left.clip(plane, static_cast<std::uint32_t>(5 + planes.size()));
   }
-  bool keep(const FormOverCell& form) { return !left.meets(form) || (clip(form.plane()) && !left.empty()); }
+  bool keep(const FormOverCell& form) {
+    return left.depth_below(form) == 0.0 || (clip(form.plane()) && !left.empty());
+  }
 };
 
 void CellSearch::enter(const RotationCell& parent) {
@@ -776,12 +779,33 @@ bool CellSearch::keep_bodies_apart(Parted& at, const NearPoses& poses, bool by_r
                                    const RotationCell& cell) const {
   std::size_t taken = 0;
   const double least = kLeastFree * share(cell);
+  const auto forms_of = [&](const ClosePair& pair, const ApartPlane& plane) {
+    std::array<FormOverCell, 3> forms;
+    for (std::size_t k = 0; k < forms.size(); ++k) {
+      const Vec3& x = pair.of_ball[k];
+      const double slack = kTolerance * std::abs(plane.least) + kTurnSlack * x.norm();
+      forms[k] = at.frame.form(plane.normal, x, plane.least, -1.0, slack);
+    }
+    return forms;
+  };
   const auto take = [&](const ClosePair& pair) {
-    const std::size_t planes = at.planes.size();
-    return ++taken <= kMostClose && std::ranges::all_of(pair.of_ball, [&](const Vec3& x) {
-      const double slack = kTolerance * std::abs(pair.least) + kTurnSlack * x.norm();
-      return at.keep(at.frame.form(pair.normal, x, pair.least, -1.0, slack));
-    }) && (at.planes.size() == planes || at.left.share(at.frame) >= least);
+    if (++taken > kMostClose) return false;
+    std::array<FormOverCell, 3> best;  // of the plane that cuts least off
+    double cut = HUGE_VAL;
+    for (std::size_t k = 0; k < ClosePair::kPlanes && cut > 0.0; ++k) {
+      const std::optional<ApartPlane> plane = pair.plane(k);
+      if (!plane) continue;
+      const auto forms = forms_of(pair, *plane);
+      double deepest = 0.0;
+      for (const FormOverCell& form : forms) deepest = std::max(deepest, at.left.depth_below(form));
+      if (deepest >= cut) continue;
+      cut = deepest;
+      best = forms;
+    }
+    if (cut == 0.0) return true;
+    return cut < HUGE_VAL &&
+           std::ranges::all_of(best, [&](const FormOverCell& form) { return at.keep(form); }) &&
+           at.left.share(at.frame) >= least;
   };
   return test_.bodies_.each_close(poses, by_radii, take, left_of(&cell));
 }

@@ -5,7 +5,8 @@
 ///
 ///   free     nothing touches in any of the rotations
 ///   blocked  something touches in every one of them
-///   unknown  nothing touches in any, but in all of them the ball's mesh has a hole under the socket
+///   unknown  nothing touches in any, but in all of them the ball's mesh has a hole under the socket, and its
+///            whole bone was not given
 ///   open     none of these could be shown
 ///
 /// Contact means contact of bones (limits/body_pairs.hpp). Radii along rays decide instead about main
@@ -105,12 +106,13 @@ class CellTest {
   friend class CellSearch;
   /// One of the two surfaces.
   struct Side {
-    Side(const TriangleMesh& mesh, Layer layer, const CellQuestion& question);
+    /// ends: may it be a ball's that ends where its bone goes on?
+    Side(const TriangleMesh& mesh, Layer layer, const CellQuestion& question, bool ends);
     SeenSurface seen;  // as it is
     std::unique_ptr<const SeenSurface>
         moved;         // the ball with its corners moved out for the gap; none where it is the same
     CapLimits limits;  // of the grown surface
-    MeshHoles holes;   // of the ball
+    MeshHoles holes;   // of a ball that ends
     CapFloor floor;    // of `seen`
     std::vector<SeenBorder> borders{};  // of `seen`, with play
     const SeenSurface& grown() const { return moved ? *moved : seen; }

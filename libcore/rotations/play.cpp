@@ -368,15 +368,20 @@ void CellSearch::Playing::find_points(const NearPoses& poses) {
 void CellSearch::Playing::find_close(const NearPoses& poses) {
   std::size_t taken = 0;
   const auto take = [&](const ClosePair& pair) {
+    std::optional<ApartPlane> best;
+    for (std::size_t k = 0; k < ClosePair::kPlanes; ++k) {
+      const std::optional<ApartPlane> plane = pair.plane(k);
+      if (plane && (!best || plane->angle > best->angle)) best = plane;
+    }
+    if (!best) return false;
     double most = -HUGE_VAL;
     double arm = 0.0;
-    for (const Vec3& x : pair.of_ball) {
-      const Vec3 at = rotations.rotation * x;
-      most = std::max(most, pair.normal.dot(at));
-      arm = std::max(arm, at.cross(pair.normal).norm());
+    for (const Vec3& x : pair.moved) {
+      most = std::max(most, best->normal.dot(x));
+      arm = std::max(arm, x.cross(best->normal).norm());
     }
-    const double least = pair.least + pair.normal.dot(poses.offset);
-    bounds.push_back({pair.normal, HUGE_VAL, least - most, rotations.radius * arm});
+    const double least = best->least + best->normal.dot(poses.offset);
+    bounds.push_back({best->normal, HUGE_VAL, least - most, rotations.radius * arm});
     return ++taken < kMostClosePairs;
   };
   test.bodies_.each_close(poses, search.seen_.apart, take, search.left_of(cell));

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -110,10 +111,16 @@ VolumeLimit MotionVolume::limit(const JointTurn& turn, double largest_deg) const
       found.high_deg = std::min(2.0 * std::max(at.angles.low, 0.0) / kDegree, largest_deg);
   }
   found.low_deg = free < largest ? 2.0 * free / kDegree : largest_deg;
+  // The finest cell there, but for one that the way leaves there by a part that is free.
+  const Quaternion4 q = std::cos(free) * way.from + std::sin(free) * way.across;
+  const auto rank = [&](const VolumeCell& cell) {
+    return std::pair(cell.part == nullptr || !cell.part->is_free(CellFrame(cell.cell).place(q)),
+                     cell.cell.level);
+  };
   for (const CellOnWay& at : met) {
     const bool here = at.angles.low <= free + 2.0 * kJoined && at.angles.high >= free - 2.0 * kJoined;
     if (free < largest && here && at.cell.state != CellState::free &&
-        (!found.stops || found.stops->cell.level < at.cell.cell.level))
+        (!found.stops || rank(*found.stops) < rank(at.cell)))
       found.stops = at.cell;
   }
   return found;

@@ -392,8 +392,8 @@ TEST(CellParts, FormsAndSharesAreLowerBounds) {
   for (std::size_t round = 0; round < random_cases(); ++round) {
     const RotationCell cell = any_cell(engine, 1 + static_cast<std::uint32_t>(round % 9));
     const CellFrame frame(cell);
-    const Vec3 n = vector();
     const Vec3 x = vector();
+    const Vec3 n = round % 3 == 0 ? Vec3(rotation_of(centre(cell)) * x + 0.1 * vector()) : vector();
     const double sign = round % 2 == 0 ? 1.0 : -1.0;
     const double k = n.dot(rotation_of(any_of(cell, engine)) * x);  // 0 within the cell
     const FormOverCell form = frame.form(n, x, k, sign, 0.0);
