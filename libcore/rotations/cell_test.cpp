@@ -768,7 +768,7 @@ bool CellSearch::take_free(Parted& at, const CellHint& hint) const {
     const NearCap near{face.axis.cast<float>(), static_cast<float>(face.radius + at.asked.angle.radius),
                        static_cast<float>(face.range.low * (1.0 - kTolerance))};
     return any_near(ball.face_tree(), near, [&](std::uint32_t g) {
-      return !keep_apart(at, face, ball.faces()[g]) || at.left.empty() || at.pairs > kMostPairs;
+      return !keep_apart(at, face, ball.faces()[g]) || at.pairs > kMostPairs;
     });
   };
   return !any_socket_face(at.asked, with) && !at.left.empty();

@@ -212,7 +212,7 @@ double CellSearch::Playing::blocked_from(const Vertex& vertex, const Vec3& norma
   // A gap is along rays from the shifted centre, which the socket may meet from its least radius on.
   const double nearest = x.of_ball && gap > 0.0 ? std::min(x.length, test.least_socket_) : x.length;
   const CapAngle turn(rotations.radius + CellTest::kTurnSlack);
-  if (!(nearest > play) || turn.wide) return HUGE_VAL;
+  if (!(nearest > play)) return HUGE_VAL;  // the turn is not wide, or decide() had returned
   const DirectionCap cap{x.at.normalized(), turn.radius + std::asin(play / nearest) + CellTest::kTurnSlack};
   const std::uint32_t from = test.side(other(vertex.of)).floor.face_along(cap.axis);
   if (from == DirectionFace::kNone) return HUGE_VAL;

@@ -282,6 +282,8 @@ TEST(BodyPairs, TwoSheetsHaveNoInside) {
   EXPECT_FALSE(told(cropped, {}));
   EXPECT_FALSE(told(cropped, {{bone}, {bone}}));
   EXPECT_FALSE(told(small_joint(), {{}, {sheet}})) << "a closed ball has an inside";
+  EXPECT_TRUE(told(cropped, {{}, {}, cropped.ball, cropped.socket}))
+      << "of whole bones radii do not decide alone";
   const auto parts = told(cropped, {{bone, sheet}, {bone, sheet}});
   ASSERT_TRUE(parts);
   EXPECT_EQ(parts->ball, 2U);
@@ -733,6 +735,7 @@ TEST(BodyPairs, APartWithoutFacesIsNowhere) {
     pairs.find_inner_balls(main);
     EXPECT_EQ(verdict(pairs).contact, Contact::no);
     EXPECT_FALSE(pairs.may_meet({.turn = 0.01, .shift_mm = 0.5}));
+    for (const NodePairs& left : pairs.left({.turn = kPi}, true)) EXPECT_TRUE(left.empty());
     EXPECT_FALSE(pairs.overlap({.turn = 0.01}));
     EXPECT_TRUE(pairs.each_close({.turn = 0.01}, false, [](const ClosePair&) { return false; }));
     EXPECT_TRUE(pairs.deepest({.turn = 0.01}, false, 5).empty());

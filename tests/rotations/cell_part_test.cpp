@@ -298,6 +298,15 @@ TEST(SeenSurface, IsNearEverythingOrNothing) {
   }
 }
 
+// A face in a plane through the centre, and the centre in it.
+TEST(SeenSurface, OfAFaceRoundTheCentreIsNearEverything) {
+  TriangleMesh mesh;
+  test::add_face(mesh, {-20.0, -10.0, 0.0}, {20.0, -10.0, 0.0}, {0.0, 20.0, 0.0});
+  test::Dice dice(76);
+  const SeenSurface seen(mesh, Layer::nearest, true);
+  for (int k = 0; k < 100; ++k) EXPECT_TRUE(seen.any_near({dice.direction(), 0.01}));
+}
+
 TEST(SeenSurface, CoversCapsOfAQuarterTurnAndMore) {
   const TriangleMesh whole = test::askew(sphere(20.0, 500));
   TriangleMesh open = whole;

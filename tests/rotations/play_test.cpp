@@ -258,7 +258,7 @@ TEST(TheoremPlay, OfAConeNeckIsItsClosedForm) {
 
 TEST(MotionVolume, WithPlayIsThatOfAConeNeckInClosedForm) {
   const ConeNeck neck(30);
-  constexpr double kWidth = 0.15;
+  constexpr double kWidth = 0.1;
   const MotionVolume volume(CellTest(neck.joint, {.play_mm = ConeNeck::kPlay}), {.width = kWidth});
   const VolumeShares& found = volume.shares();
   const auto share_of = [](double tilt) { return 0.5 * (1.0 - std::cos(tilt)); };
@@ -266,6 +266,11 @@ TEST(MotionVolume, WithPlayIsThatOfAConeNeckInClosedForm) {
   EXPECT_LE(found.low(), share_of(neck.most_tilt(ConeNeck::kPlay)));
   EXPECT_GE(found.high(), share_of(neck.least_tilt(ConeNeck::kPlay)));
   EXPECT_LE(found.reached(), share_of(neck.most_tilt(0.0)));
+  std::size_t shifted = 0;
+  volume.for_each([&](const VolumeCell& at) {
+    if (at.state == CellState::free && at.hint.shift != CellHint{}.shift) ++shifted;
+  });
+  EXPECT_GT(shifted, 0U);
 }
 
 // The cells are the same with any number of threads and any verdicts known before.
