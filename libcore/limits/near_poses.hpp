@@ -143,7 +143,7 @@ class InnerBalls {
  private:
   /// For each level: the surface is no farther from some ball than this share of the body's size.
   static constexpr std::array<double, 6> kNear{0.03, 0.01, 0.003, 0.001, 0.0005, 0.00025};
-  static constexpr double kOfWay = 0.02;            // of() takes a share of at most this part of the turn
+  static constexpr double kOfWay = 0.02;           // of() takes a share of at most this part of the turn
   static constexpr std::size_t kMostAsked = 6000;  // faces
   std::array<SweptParts, kNear.size()> levels_;
 };

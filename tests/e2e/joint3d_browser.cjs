@@ -19,7 +19,7 @@ function madePair(hip) {
   return { ball: path.join(folder, "ball.ply"), socket: path.join(folder, "socket.ply") };
 }
 
-const settled = (page) => page.waitForFunction(() => document.body.classList.contains("ready") && Number(document.body.dataset.poses) > 0);
+const settled = (page) => page.waitForFunction(() => document.body?.classList.contains("ready") && Number(document.body.dataset.poses) > 0);
 
 /** A page at that size: { page, faults }. fragment: the state in its address; folded: panels that ask nothing, so that it takes less time. */
 async function open(browser, [width, height], { fragment = "", folded = [] } = {}) {

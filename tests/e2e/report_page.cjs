@@ -112,7 +112,7 @@ async function turning(page) {
   await page.click("#turn-start");
   const frame = await (await page.waitForSelector("#turn-place iframe")).contentFrame();
   const posed = (count) => frame.waitForFunction(
-    (least) => document.body.classList.contains("ready") && Number(document.body.dataset.poses) > least, count);
+    (least) => document.body?.classList.contains("ready") && Number(document.body.dataset.poses) > least, count);
   await posed(0);
   assert.match(await frame.textContent("#legend"), /mm/);
   assert.ok(!await frame.isVisible("#motion") && await frame.isVisible("#view"), "the frame shows more than the joint");
@@ -138,7 +138,7 @@ async function turning(page) {
   await posed(poses);
   await frame.waitForFunction((text) => document.getElementById("stage-gap").textContent !== text, before);
   await page.check("#turn-panels");
-  await frame.waitForFunction(() => !document.body.classList.contains("embedded"));
+  await frame.waitForFunction(() => document.body && !document.body.classList.contains("embedded"));
   await page.emulateMedia({ media: "print" });
   assert.ok(await page.isVisible("#turn-place img") && !await page.isVisible("#turn-place iframe"), "in print");
   await page.emulateMedia({ media: "screen" });
