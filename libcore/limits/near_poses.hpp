@@ -50,7 +50,7 @@ struct ClosePair {
   const Triangle& of_ball;          // as the ball lies at rest, mm
   const Triangle& moved;            // as R turns it
   const Triangle& of_socket;        // from the shifted ball's centre
-  const std::array<Vec3, 3>& ways;  // unit normals to be tried first
+  const std::array<Vec3, 3>& ways;  // unit, to be tried first; those of both faces are among them
   double gap;                       // mm, the shift and the gap
 
   static constexpr std::size_t kPlanes = 12;

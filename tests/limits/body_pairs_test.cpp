@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <span>
 #include <string>
@@ -723,6 +724,43 @@ TEST(TheoremContact, AreWithinAGapWhereCgalSays) {
   }
   EXPECT_EQ(clear, 12U);
   EXPECT_EQ(within, 12U);
+}
+
+// Of two faces that do not meet some plane is found, if their normals are among the ways, and of two that
+// meet none. A plane does what it says of the corners.
+TEST(ClosePair, HasAPlaneUnlessItsFacesMeet) {
+  test::Dice dice(77);
+  std::array<std::size_t, 2> asked{};  // apart, meet
+  for (std::size_t k = 0; k < random_cases(); ++k) {
+    const auto face = [&] { return Triangle{dice.vector(), dice.vector(), dice.vector()}; };
+    const Triangle moved = face();
+    Triangle other = face();
+    const double size = dice.power(-2.0, 0.5);
+    for (Vec3& x : other) x = moved[0] + size * x;
+    const Vec3 to = other[0] + other[1] + other[2] - moved[0] - moved[1] - moved[2];
+    const auto normal = [&](const Triangle& of) {
+      const Vec3 n = (of[1] - of[0]).cross(of[2] - of[0]).normalized();
+      return n.dot(to) < 0.0 ? Vec3(-n) : n;
+    };
+    const std::array<Vec3, 3> ways{dice.direction(), normal(moved), normal(other)};
+    const bool meet = faces_meet(moved, other);
+    const double gap = dice.whole(0, 1) == 0 ? 0.0 : 0.1;
+    const ClosePair pair{moved, moved, other, ways, gap};
+    bool found = false;
+    for (std::size_t n = 0; n < ClosePair::kPlanes; ++n) {
+      const std::optional<ApartPlane> plane = pair.plane(n);
+      if (!plane) continue;
+      found = true;
+      EXPECT_NEAR(plane->normal.norm(), 1.0, 1e-12);
+      for (const Vec3& x : moved) EXPECT_LT(plane->normal.dot(x), plane->least);
+      for (const Vec3& y : other) EXPECT_GE(plane->normal.dot(y), plane->least + gap - 1e-12);
+    }
+    EXPECT_FALSE(meet && found) << k;
+    EXPECT_TRUE(meet || found || gap > 0.0) << k;
+    ++asked[meet ? 1 : 0];
+  }
+  EXPECT_GT(asked[0], random_cases() / 10);
+  EXPECT_GT(asked[1], random_cases() / 50);
 }
 
 // A part of which no face has an area is in contact with nothing, however near.

@@ -194,6 +194,9 @@ TEST(MotionVolume, SaysWhereTheMeshOfTheBallEnds) {
   EXPECT_LE(found.free, share + 1e-3);
   EXPECT_GE(found.free, share - 0.1);
   EXPECT_GE(found.unknown, 1.0 - share - 0.1);
+  // Of the whole bone it is known that nothing touches.
+  const MotionVolume whole(CellTest(joint, {}, {{}, {}, sphere(20.0, 1000), {}}), {.width = 0.1});
+  EXPECT_NEAR(whole.shares().free, 1.0, 1e-9);
 }
 
 TEST(MotionVolume, OfABlockedJointReachesNothing) {
