@@ -54,6 +54,27 @@ CellFrame::CellFrame(const RotationCell& cell)
   std::size_t at = 0;
   for (Eigen::Index k = 0; k < 4; ++k)
     if (k != cube_) side_[at++] = k;
+  most_ = middle_.squaredNorm() + 2.0 * half_ * middle_.norm() * 2.0 + 3.0 * half_ * half_;
+  // Of a pure quaternion v and q: (-v . q_v, w v + v x q_v).
+  Eigen::Matrix<double, 4, 3> product;
+  product << -middle_[1], -middle_[2], -middle_[3],  //
+      middle_[0], middle_[3], -middle_[2],           //
+      -middle_[3], middle_[0], middle_[1],           //
+      middle_[2], -middle_[1], middle_[0];
+  Eigen::Matrix3d along;
+  for (Eigen::Index k = 0; k < 3; ++k) along.row(k) = product.row(side_[static_cast<std::size_t>(k)]);
+  turned_ = along * rotation_of(middle_);
+}
+
+FormOverCell CellFrame::form_in_ball(const Vec3& n, const Vec3& x, double product, double k, double sign,
+                                     double slack) const {
+  const double inner = n.dot(x) - k;
+  FormOverCell over;
+  over.middle = sign * inner * middle_.squaredNorm();
+  over.slope = 2.0 * half_ * sign * (inner * sides(middle_) - turned_ * n.cross(x));
+  over.least = 3.0 * half_ * half_ * std::min(-sign * k - product, 0.0) -
+               most_ * (slack + kFormRounding * 16.0 * (product + std::abs(k)));
+  return over;
 }
 
 FormOverCell CellFrame::form(const Vec3& n, const Vec3& x, double k, double sign, double slack) const {
@@ -78,16 +99,17 @@ FormOverCell CellFrame::form(const Vec3& n, const Vec3& x, double k, double sign
   }
   // As |n . R x| <= |n| |x|, no eigenvalue of a is below this: of use where n goes along R x.
   rest = std::max(rest, 3.0 * std::min(-sign * k - n.norm() * x.norm(), 0.0));
-  const double norm = middle_.squaredNorm() + 2.0 * half_ * middle_.norm() * 2.0 + 3.0 * half_ * half_;
   over.middle = middle_.dot(image);
   over.least =
-      half_ * half_ * rest - norm * (slack + kFormRounding * 16.0 * (n.norm() * x.norm() + std::abs(k)));
+      half_ * half_ * rest - most_ * (slack + kFormRounding * 16.0 * (n.norm() * x.norm() + std::abs(k)));
   return over;
 }
 
 Vec3 CellFrame::place(const Quaternion4& q) const { return (sides(q) / q[cube_] - sides(middle_)) / half_; }
 
 CellPolytope::CellPolytope() {
+  for (std::uint32_t k = 0; k < 8; ++k)
+    point_[points_++] = {(k & 1U) != 0 ? 1.0 : -1.0, (k & 2U) != 0 ? 1.0 : -1.0, (k & 4U) != 0 ? 1.0 : -1.0};
   for (std::uint32_t side = 0; side < 6; ++side) {
     const std::size_t axis = side / 2;
     const double at = side % 2 == 1 ? 1.0 : -1.0;
@@ -105,14 +127,25 @@ CellPolytope::CellPolytope() {
   }
 }
 
-double CellPolytope::depth_below(const FormOverCell& form) const {
+double CellPolytope::depth_below(const FormOverCell& form, double most) const {
   const double offset = form.middle + form.least;
   if (offset >= form.corner()) return 0.0;
+  const double length = std::max(form.slope.norm(), 1e-300);
+  const double inside = form.slope.dot(middle_) + offset;
+  if (inside >= length * radius_) return 0.0;
+  if (-inside >= most * length && inside < 0.0) return most > 0.0 ? most : HUGE_VAL;
   double least = 0.0;
-  for (std::size_t f = 0; f < faces_; ++f)
-    for (std::size_t k = 0; k < face_[f].corners; ++k)
-      least = std::min(least, form.slope.dot(face_[f].corner[k]) + offset);
-  return least == 0.0 ? 0.0 : -least / std::max(form.slope.norm(), 1e-300);
+  for (std::size_t k = 0; k < points_; ++k) least = std::min(least, form.slope.dot(point_[k]) + offset);
+  return least == 0.0 ? 0.0 : -least / length;
+}
+
+// A ball round all corners, about a point of the polytope.
+void CellPolytope::find_middle() {
+  middle_.setZero();
+  for (std::size_t k = 0; k < points_; ++k) middle_ += point_[k] / static_cast<double>(points_);
+  radius_ = 0.0;
+  for (std::size_t k = 0; k < points_; ++k) radius_ = std::max(radius_, (point_[k] - middle_).norm());
+  radius_ *= 1.0 + kFormRounding;
 }
 
 double CellPolytope::farthest(const CellPlane& plane) const {
@@ -159,7 +192,20 @@ bool CellPolytope::clip(const CellPlane& plane, std::uint32_t number) {
     faces_ = 0;
     return false;
   }
-  return cut < 3 || close(plane, number, cut);
+  std::size_t still = 0;
+  for (std::size_t k = 0; k < points_; ++k)
+    if (plane.at(point_[k]) >= 0.0) point_[still++] = point_[k];
+  points_ = still;
+  if (cut >= 3 && !close(plane, number, cut)) return false;
+  for (std::size_t k = 0; cut < 3 && k < cut; ++k) {  // beside a corner that is kept
+    if (points_ == kMostPoints) {
+      faces_ = 0;
+      return false;
+    }
+    point_[points_++] = cut_[k];
+  }
+  find_middle();
+  return true;
 }
 
 // Adds the new face in the plane, its corners in order round their mean.
@@ -179,11 +225,12 @@ bool CellPolytope::close(const CellPlane& plane, std::uint32_t number, std::size
   for (std::size_t k = 0; k < cut; ++k) {  // each corner is there twice, once from either face
     const Vec3& x = cut_[order[k].second];
     if (face.corners > 0 && face.corner[face.corners - 1] == x) continue;
-    if (face.corners == kMostCorners) {
+    if (face.corners == kMostCorners || points_ == kMostPoints) {
       faces_ = 0;
       return false;
     }
     face.corner[face.corners++] = x;
+    point_[points_++] = x;
   }
   if (face.corners > 1 && face.corner[0] == face.corner[face.corners - 1]) --face.corners;
   if (face.corners >= 3) ++faces_;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -45,6 +46,10 @@ class CellFrame {
   explicit CellFrame(const RotationCell& cell);
   /// The bound of sign (n . R x - k), with `slack` taken off.
   FormOverCell form(const Vec3& n, const Vec3& x, double k, double sign, double slack) const;
+  /// The same, quicker and a little lower, for n as the ball's frame has it in the middle of the cell.
+  /// product is |n| |x| or more.
+  FormOverCell form_in_ball(const Vec3& n, const Vec3& x, double product, double k, double sign,
+                            double slack) const;
   /// Coordinates t of a quaternion of any length.
   Vec3 place(const Quaternion4& q) const;
   const Quaternion4& middle() const { return middle_; }
@@ -58,6 +63,8 @@ class CellFrame {
 
  private:
   Quaternion4 middle_;
+  Eigen::Matrix3d turned_;  // (n x R x) q, in quaternions, along the three sides, of R^T n x x
+  double most_;             // the largest |q|^2
   double half_;
   Eigen::Index cube_;
   std::array<Eigen::Index, 3> side_;  // which components go along the three sides
@@ -72,7 +79,8 @@ class CellPolytope {
   bool clip(const CellPlane& plane, std::uint32_t number);
   bool empty() const { return faces_ == 0; }
   /// How far, in half sides, some of it is beyond the plane where the bound is 0; 0 if it is nowhere below 0.
-  double depth_below(const FormOverCell& form) const;
+  /// Not worked out if it is `most` or more.
+  double depth_below(const FormOverCell& form, double most = HUGE_VAL) const;
   double farthest(const CellPlane& plane) const;  // largest value of slope . t + offset
   bool bounds(std::uint32_t number) const;        // is some of the plane of that number a face?
   /// The share of all rotations that it holds, rounded down.
@@ -81,16 +89,22 @@ class CellPolytope {
  private:
   static constexpr std::size_t kMostFaces = 30;
   static constexpr std::size_t kMostCorners = kMostFaces + 2;
+  static constexpr std::size_t kMostPoints = 2 * kMostFaces;
   struct Polygon {
     std::array<Vec3, kMostCorners> corner;
     std::size_t corners = 0;
     std::uint32_t number = 0;  // of its plane; 0 to 5 are the sides of the cell
   };
+  void find_middle();
   bool close(const CellPlane& plane, std::uint32_t number, std::size_t cut);
 
   std::array<Polygon, kMostFaces> face_;
   std::size_t faces_ = 0;
   std::array<Vec3, 2 * kMostFaces> cut_;  // scratch: corners of a new face
+  std::array<Vec3, kMostPoints> point_;   // all corners, once each
+  std::size_t points_ = 0;
+  Vec3 middle_ = Vec3::Zero();
+  double radius_ = 1.7320508075688774;  // of a ball round all corners
 };
 
 /// What is known of all rotations of a cell.

@@ -143,8 +143,8 @@ class CellSearch {
   /// eighths. These come next.
   void enter(const RotationCell& parent);
   /// What is known of parts of a cell whose verdict is open; nothing where the centre is in doubt, or with
-  /// play.
-  CellPart part_of(const RotationCell& cell, const CellHint& hint);
+  /// play. `free`: are free parts asked for, which take the longest?
+  CellPart part_of(const RotationCell& cell, const CellHint& hint, bool free = true);
 
  private:
   /// The rotations, with what the doubt about the centre adds (sigma, eta, rho as in the theorem).
@@ -164,7 +164,6 @@ class CellSearch {
     Vec3 plane;
     Vec3 axis;
     RadiusRange range;
-    Vec3 plane_at_rest;    // in the socket's frame
     double radius, doubt;  // of its cap, radians; of its plane
   };
   /// What the other surface has to do so that a vertex blocks: cover the cap, a socket nowhere farther than
@@ -179,17 +178,22 @@ class CellSearch {
 
   /// A cell that is taken apart.
   struct Parted;
-  /// Half-spaces in which two faces do not overlap.
-  struct PairForms;
+  /// The half-spaces of a cell that cut least off, of those in which two faces do not overlap.
+  struct LeastCut {
+    std::array<FormOverCell, 16> forms;
+    std::size_t count = 0;
+    double cut = HUGE_VAL;  // how deep they cut, in half sides; 0 if not at all
+  };
   Asked asked_of(const NearPoses& poses, const RotationBall& rotations) const;
   std::optional<FormOverCell> block_form(const Parted& at, Surface of, const Reach& reach);
   void find_witnesses(const Parted& at, Surface of, std::vector<Reach>& found);
   std::vector<FormOverCell> blocked_by_radii(const Parted& at, const CellHint& hint);
   std::vector<FormOverCell> blocked_by_bodies(const Parted& at, const NearPoses& poses) const;
   static bool take_blocked(Parted& at, const std::vector<FormOverCell>& forms);
+  LeastCut least_cut(Parted& at, const PosedFace& socket, const DirectionFace& ball) const;
   bool keep_apart(Parted& at, const PosedFace& socket, const DirectionFace& ball) const;
   bool keep_bodies_apart(Parted& at, const NearPoses& poses, bool by_radii, const RotationCell& cell) const;
-  bool take_free(Parted& at, const CellHint& hint) const;
+  bool take_free(Parted& at, const CellHint& hint);
 
   /// What is known of bones with an inside, in all rotations about a cell.
   struct Seen {
@@ -225,11 +229,26 @@ class CellSearch {
   Reach reach_at(const Asked& asked, Surface of, std::uint32_t vertex) const;
   bool blocks(const Reach& reach, Surface of);
   bool find_reach(const Asked& asked, Surface of, CellHint& hint, double& best);
+  template <class Found>
+  bool any_hole(const Asked& asked, const Found& found) const;
+  bool keep_covered(Parted& at) const;
   bool may_leave(const Asked& asked) const;
   bool leaves(const Asked& asked) const;
 
+  static constexpr double kTolerance = CellTest::kTolerance;
+  static constexpr double kTurnSlack = CellTest::kTurnSlack;
+
   const CellTest& test_;
   PatchMemory memory_;
+  /// Of a vertex of the ball and the face of the socket asked about last: is it below the face's plane (bit 0),
+  /// or beyond its sides (1 to 3)?
+  struct Below {
+    std::uint64_t face = 0;
+    std::uint8_t asked = 0;
+    std::uint8_t is = 0;
+  };
+  std::vector<Below> below_;
+  std::uint64_t faces_asked_ = 0;
   std::optional<RotationCell> parent_;  // whose eighths come next
   BodyPairs::Left left_;                // what may meet in it
   std::optional<RotationCell> last_;    // the last open cell whose bones were looked at

@@ -76,18 +76,28 @@ CapTree sorted(TriangleMesh& mesh) {
   return tree;
 }
 
-CapTree of_vertices(const TriangleMesh& mesh, std::vector<Vec3>& places) {
+// Makes the tree of the vertices; their places come in its order, and the numbers of the faces' corners too.
+CapTree of_vertices(const TriangleMesh& mesh, std::vector<Vec3>& places,
+                    std::vector<std::array<std::uint32_t, 3>>& corners) {
   std::vector<CapItem> items;
   std::vector<Vec3> all;
+  std::vector<std::uint32_t> number(mesh.vertices.size(), DirectionFace::kNone);
+  std::vector<VertexIndex> kept;
   for (const VertexIndex v : surface_vertices(mesh)) {
     const Vec3& x = mesh.vertices[v];
     const double length = x.norm();
     if (!(length > 0.0)) continue;
     items.push_back({{x.stableNormalized(), 0.0}, {length, length}});
     all.push_back(x);
+    kept.push_back(v);
   }
   CapTree tree(items);
-  for (const std::uint32_t v : tree.order()) places.push_back(all[v]);
+  for (const std::uint32_t v : tree.order()) {
+    number[kept[v]] = static_cast<std::uint32_t>(places.size());
+    places.push_back(all[v]);
+  }
+  corners.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) corners.push_back({number[face[0]], number[face[1]], number[face[2]]});
   return tree;
 }
 
@@ -135,7 +145,7 @@ SeenSurface::SeenSurface(const TriangleMesh& mesh, Layer layer, bool keep_edge_o
   edge_on_ = keep_edge_on && kept.faces.size() < mesh.faces.size();
   if (edge_on_) kept = mesh;
   face_tree_ = sorted(kept);
-  vertex_tree_ = of_vertices(kept, vertices_);
+  vertex_tree_ = of_vertices(kept, vertices_, corners_);
   triangles_.reserve(kept.faces.size());
   faces_.reserve(kept.faces.size());
   for (const Face& face : kept.faces) {

@@ -3,6 +3,7 @@
 // over a cap of directions, not only about vertices. Theorem 14 (volume), (ii) and its use.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -61,15 +62,17 @@ struct SeenBorder {
 /// A convex polygon: of directions, its corners unit vectors or shorter, or of a face.
 class DirectionPolygon {
  public:
-  explicit DirectionPolygon(const std::array<Vec3, 3>& corners)
-      : points_{corners[0], corners[1], corners[2]}, size_(3) {}
+  explicit DirectionPolygon(std::span<const Vec3> corners) : size_(corners.size()) {
+    std::copy(corners.begin(), corners.end(), points_.begin());
+  }
   /// Keeps the points x with normal . x >= least.
   void clip(const Vec3& normal, double least);
   std::span<const Vec3> points() const& { return {points_.data(), size_}; }
   std::span<const Vec3> points() const&& = delete;
 
- private:
   static constexpr std::size_t kMost = 16;  // a triangle that is clipped five times, and a few more
+
+ private:
   std::array<Vec3, kMost> points_;
   std::size_t size_;
 };
@@ -91,6 +94,8 @@ class SeenSurface {
   const CapTree& vertex_tree() const { return vertex_tree_; }
   const std::vector<DirectionFace>& faces() const { return faces_; }  // in the order of face_tree()
   const std::vector<Vec3>& vertices() const { return vertices_; }     // mm, in the order of vertex_tree()
+  /// The corners of face f among vertices(); kNone for one at the centre.
+  const std::array<std::uint32_t, 3>& corners(std::uint32_t f) const { return corners_[f]; }
   const Triangle& triangle(std::uint32_t f) const { return triangles_[f]; }  // mm
   std::vector<SeenBorder> borders() const;
   /// Face f as another centre sees it, mm; without neighbours.
@@ -111,8 +116,9 @@ class SeenSurface {
 
   /// Do the faces that are reached from `from`, across sides that meet the cap, cover all of the cap, and
   /// does keeps(face) hold for each? Yes is certain. `from` must hold the cap's axis.
-  template <class Keeps>
-  bool covers(const DirectionCap& cap, std::uint32_t from, PatchMemory& memory, Keeps&& keeps) const {
+  template <class Keeps, class Ends>
+  bool covers(const DirectionCap& cap, std::uint32_t from, PatchMemory& memory, Keeps&& keeps,
+              Ends&& ends) const {
     begin(memory, from);
     const double cosine = cap.radius < kPi ? std::cos(cap.radius) - kSideSlack : -2.0;
     const double sine = cap.radius < 0.5 * kPi ? std::sin(cap.radius) + kSideSlack : 2.0;
@@ -121,11 +127,18 @@ class SeenSurface {
       if (!keeps(face)) return false;
       for (std::size_t k = 0; k < 3; ++k) {
         if (!side_meets(face, k, {cap.axis, cosine, sine})) continue;
-        if (face.beyond[k] == DirectionFace::kNone) return false;
-        reach(memory, face.beyond[k]);
+        if (face.beyond[k] != DirectionFace::kNone)
+          reach(memory, face.beyond[k]);
+        else if (!ends(face.inward[k]))
+          return false;
       }
     }
     return true;
+  }
+
+  template <class Keeps>
+  bool covers(const DirectionCap& cap, std::uint32_t from, PatchMemory& memory, Keeps&& keeps) const {
+    return covers(cap, from, memory, std::forward<Keeps>(keeps), [](const Vec3&) { return false; });
   }
 
  private:
@@ -145,6 +158,7 @@ class SeenSurface {
   std::vector<DirectionFace> faces_;
   std::vector<Triangle> triangles_;  // of each face, mm
   std::vector<Vec3> vertices_;
+  std::vector<std::array<std::uint32_t, 3>> corners_;
   double least_radius_ = HUGE_VAL;
   bool edge_on_ = false;
 };

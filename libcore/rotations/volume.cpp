@@ -14,9 +14,10 @@
 namespace impinge {
 namespace {
 
-constexpr std::size_t kBatch = 128;     // cells that are split before the open share is looked at
-constexpr std::size_t kTaken = 16;      // cells that a thread takes at a time, of whole parents
-constexpr double kWidestParted = 0.03;  // for a larger width, parts by radii are not worth their time
+constexpr std::size_t kBatch = 128;         // cells that are split before the open share is looked at
+constexpr std::size_t kTaken = 16;          // cells that a thread takes at a time, of whole parents
+constexpr double kFineWidth = 0.03;         // up to this width coarser cells are worth to be searched
+constexpr std::uint32_t kCoarsestFree = 6;  // for a larger one, free parts are looked for from this level on
 constexpr std::uint8_t kCertainly = 1;
 constexpr std::uint8_t kPerhaps = 2;
 
@@ -28,7 +29,7 @@ class MotionVolume::Refinement {
   Refinement(MotionVolume& volume, const CellTest& test, const VolumeSettings& settings)
       : volume_(volume),
         settings_(settings),
-        parted_(settings.width <= kWidestParted || test.bodies().has_inside()),
+        coarsest_free_(settings.width <= kFineWidth || test.bodies().has_inside() ? 0 : kCoarsestFree),
         known_(settings.known) {
     for (std::size_t k = 0; k < std::max<std::size_t>(settings.threads, 1); ++k) searches_.emplace_back(test);
   }
@@ -108,7 +109,7 @@ class MotionVolume::Refinement {
           else
             at.verdict = k < known_.size() ? known_[k] : searches_[thread].decide(at.cell, at.hint);
           if (at.verdict.state != CellState::open) continue;
-          if (parted_) at.part = searches_[thread].part_of(at.cell, at.verdict.hint);
+          at.part = searches_[thread].part_of(at.cell, at.verdict.hint, at.cell.level >= coarsest_free_);
           at.verdict.state = at.part.state;
           at.share = std::max(0.0, share(at.cell) - at.part.free_share - at.part.blocked_share);
         }
@@ -144,7 +145,7 @@ class MotionVolume::Refinement {
 
   MotionVolume& volume_;
   const VolumeSettings& settings_;
-  bool parted_;  // are open cells taken apart?
+  std::uint32_t coarsest_free_;  // the level from which on free parts are looked for
   std::span<const CellVerdict> known_;
   std::vector<CellSearch> searches_;
   std::map<int, std::vector<Open>> waiting_;  // open cells by quarter octaves of their share

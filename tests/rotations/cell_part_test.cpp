@@ -119,6 +119,63 @@ TEST(CellParts, SidesOfAPlaneAddUp) {
   EXPECT_GT(cuts, static_cast<int>(random_cases()));
 }
 
+// How deep a polytope goes below a plane, by its faces' corners and by random points of it; and no more of it
+// is worked out than is asked for.
+TEST(CellParts, APolytopeKnowsHowDeepItGoesBelowAForm) {
+  test::Dice dice(75);
+  std::size_t below = 0;
+  for (std::size_t round = 0; round < random_cases(); ++round) {
+    CellPolytope left;
+    std::vector<CellPlane> planes;
+    for (std::uint32_t n = 6; n < 16; ++n) {
+      planes.push_back(plane_across(dice.between(0.5, 2.0) * dice.direction(), dice.between(0.0, 1.6)));
+      ASSERT_TRUE(left.clip(planes.back(), n));
+      const CellPlane cut = plane_across(dice.between(0.1, 10.0) * dice.direction(), dice.between(-2.0, 2.0));
+      const Vec3 slope(cut.slope[0], cut.slope[1], cut.slope[2]);
+      const FormOverCell form{static_cast<double>(cut.offset) + 1.0, slope, -1.0};
+      const double depth = std::max(0.0, left.farthest(cut.opposite())) / slope.norm();
+      EXPECT_NEAR(left.depth_below(form), depth, 1e-12);
+      for (const double most : {0.0, 0.5 * depth, depth + 0.1})
+        EXPECT_EQ(left.depth_below(form, most) >= most, depth >= most) << depth << " " << most;
+      const Vec3 t(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));
+      if (std::ranges::any_of(planes, [&](const CellPlane& plane) { return plane.at(t) < 0.0; })) continue;
+      EXPECT_GE(left.depth_below(form), -cut.at(t) / slope.norm() - 1e-12);
+      if (cut.at(t) < 0.0) ++below;
+    }
+  }
+  EXPECT_GT(below, random_cases());
+}
+
+// Both bounds of n . R x - k over a cell, against its value at random places; they are close to it, up to the
+// square of the cell.
+TEST(CellParts, FormsAreBoundsOfSecondOrder) {
+  test::Dice dice(76);
+  for (std::size_t round = 0; round < random_cases(); ++round) {
+    const RotationCell cell = cell_of(dice.quaternion(), static_cast<std::uint32_t>(dice.whole(1, 10)));
+    const CellFrame frame(cell);
+    const Eigen::Matrix3d middle = rotation_of(centre(cell));
+    const Vec3 x = std::pow(10.0, dice.between(-3.0, 3.0)) * dice.direction();
+    Vec3 n = std::pow(10.0, dice.between(-3.0, 3.0)) * dice.direction();
+    if (round % 3 == 0) n = n.norm() * (middle * x).normalized();  // along R x
+    const double product = n.norm() * x.norm();
+    const double k = dice.between(-2.0, 2.0) * product;
+    const double sign = dice.sign();
+    for (const FormOverCell& form : {frame.form(n, x, k, sign, 0.0),
+                                     frame.form_in_ball(middle.transpose() * n, x, product, k, sign, 0.0)}) {
+      EXPECT_LE(form.least, 0.0);
+      for (int draw = 0; draw < 10; ++draw) {
+        const Vec3 t(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));
+        const Quaternion4 q = point_of(cell, {t[0], t[1], t[2]});
+        const double scale = q.squaredNorm() * (product + std::abs(k));
+        const double value = sign * (n.dot(rotation_of(q) * x) - k) * q.squaredNorm();
+        const double bound = form.middle + form.slope.dot(t) + form.least;
+        EXPECT_LE(bound, value + 1e-14 * scale);
+        EXPECT_GE(bound, value - (12.0 * frame.half() * frame.half() + 1e-11) * scale);
+      }
+    }
+  }
+}
+
 // A prism of 24 sides, cut across: the new face has 24 corners, for which there is room.
 TEST(CellParts, APlaneThatCutsTwentyFourFacesIsKept) {
   CellPolytope left;

@@ -75,7 +75,7 @@ TEST(TheoremVolume, BracketsTheShareOfRandomRotations) {
 TEST(MotionVolume, LimitsAgreeWithThoseOfTurns) {
   const Hip hip = make_hip(hip_preset("cam"), 1000);
   const BallSocketPair joint{hip.ball, hip.socket};
-  const MotionVolume volume(CellTest(joint), {.width = 0.1});
+  const MotionVolume volume(CellTest(joint), {.width = 0.05});
   const TurnLimits limits(joint);
   for (const NamedMotion& motion : named_motions()) {
     const JointTurn turn = joint_turn(motion.start, motion_name(motion.growing), Side::left);
@@ -197,6 +197,38 @@ TEST(MotionVolume, SaysWhereTheMeshOfTheBallEnds) {
   // Of the whole bone it is known that nothing touches.
   const MotionVolume whole(CellTest(joint, {}, {{}, {}, sphere(20.0, 1000), {}}), {.width = 0.1});
   EXPECT_NEAR(whole.shares().free, 1.0, 1e-9);
+}
+
+// The same in parts of cells: the tilt decides alone, and what is open is as thin as the square of a cell.
+TEST(MotionVolume, PartsEndWhereTheMeshOfTheBallEnds) {
+  const double end =
+      40.0 * kDegree;  // of the tilt, where the border of the ball comes over that of the socket
+  const CellTest test({cup(20.0, 60.0, 4000), cup(26.0, 20.0, 1000)});
+  CellSearch search(test);
+  test::Dice dice(77);
+  std::size_t open = 0;
+  std::size_t truly_free = 0;
+  for (std::size_t round = 0; round < random_cases() / 10; ++round) {
+    const double way = dice.between(0.0, 2.0 * kPi);
+    const double tilt = end - dice.between(0.0, 0.05);
+    const Vec3 axis(std::cos(way), std::sin(way), 0.0);
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(tilt, axis) *
+                                  Eigen::AngleAxisd(dice.between(-kPi, kPi), Vec3::UnitZ()));
+    const RotationCell cell =
+        cell_of({turn.w(), turn.x(), turn.y(), turn.z()}, static_cast<std::uint32_t>(dice.whole(5, 8)));
+    const CellPart part = search.part_of(cell, {});
+    for (int draw = 0; draw < 10; ++draw) {
+      const Vec3 t(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dice.between(-1.0, 1.0));
+      const double tilted = std::acos(rotation_of(point_of(cell, {t[0], t[1], t[2]}))(2, 2));
+      const bool free = part.state == CellState::free || part.is_free(t);
+      EXPECT_FALSE(free && tilted > end) << cell.level;
+      if (tilted > end) continue;
+      ++truly_free;
+      if (!free) ++open;
+    }
+  }
+  EXPECT_GT(truly_free, random_cases() / 10);
+  EXPECT_LT(3 * open, truly_free);
 }
 
 TEST(MotionVolume, OfABlockedJointReachesNothing) {
