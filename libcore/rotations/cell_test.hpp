@@ -240,8 +240,8 @@ class CellSearch {
 
   const CellTest& test_;
   PatchMemory memory_;
-  /// Of a vertex of the ball and the face of the socket asked about last: is it below the face's plane (bit 0),
-  /// or beyond its sides (1 to 3)?
+  /// Of a vertex of the ball and the face of the socket asked about last: is it below the face's plane (bit
+  /// 0), or beyond its sides (1 to 3)?
   struct Below {
     std::uint64_t face = 0;
     std::uint8_t asked = 0;
