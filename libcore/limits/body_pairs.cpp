@@ -269,7 +269,7 @@ Contact BodyPairs::Body::holds_of(const Body& other, double reach, const Place& 
 }
 
 BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
-    : main_only_(!beside.whole_ball && !beside.whole_socket) {
+    : ball_is_whole_(beside.whole_ball.has_value()), main_only_(!ball_is_whole_ && !beside.whole_socket) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
     const bool ball = kSurfaces[k] == Surface::ball;
     const std::optional<TriangleMesh>& whole = ball ? beside.whole_ball : beside.whole_socket;

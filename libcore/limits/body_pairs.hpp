@@ -95,7 +95,7 @@ class BodyPairs {
   /// in contact in all of many poses cannot be shown. None if there are no two.
   std::optional<Pair> without_inside() const;
   /// Does the ball's mesh end where its bone goes on?
-  bool ball_ends() const { return main_only_ && !ball_[0]->openings.empty(); }
+  bool ball_ends() const { return !ball_is_whole_ && !ball_[0]->openings.empty(); }
   /// Are any bodies in contact? Exact, for the ball's vertices as the pose rounds them.
   Verdict verdict(const Pose& pose) const;
   /// Are any in contact, whatever radii say? For poses that a motion from a clear pose reaches.
@@ -217,7 +217,8 @@ class BodyPairs {
   std::vector<std::unique_ptr<Body>> ball_;
   std::vector<std::unique_ptr<Body>> socket_;
   std::vector<Pair> pairs_;
-  bool main_only_ = true;  // are the main bones no more than the main surfaces?
+  bool ball_is_whole_ = false;  // is the ball's bone more than its main surface?
+  bool main_only_ = true;       // is neither of the main bones?
   /// Faces of ball and socket that radii know nothing of, as bodies without an inside; null if there are none
   /// or if bones have more than their main surfaces.
   std::array<std::unique_ptr<const Body>, 2> edge_on_;

@@ -217,6 +217,21 @@ TEST(TurnLimit, OfCutSurfacesEndsWhereTheirBoneDoes) {
   }
 }
 
+// A cropped ball ends, whether the socket is cropped too or the whole bone is given; a whole ball does not.
+TEST(TurnLimit, OfACroppedBallEndsBesideAWholeSocketToo) {
+  const TriangleMesh inner = cup(26.0, 20.0, 400);
+  const BallSocketPair joint{cup(20.0, 60.0, 1000), inner};
+  const TriangleMesh pelvis = test::with_back(inner, cup(30.0, 20.0, 400));
+  const JointTurn turn{.axis = Vec3::UnitX()};
+  for (const std::optional<TriangleMesh>& whole : {std::optional<TriangleMesh>{}, std::optional(pelvis)}) {
+    const TurnLimit open = TurnLimits(joint, {{}, {}, {}, whole}).first_contact(turn, 90.0);
+    EXPECT_EQ(open.state, LimitState::unknown);
+    EXPECT_NEAR(open.leaves_mesh_deg.value_or(0.0), 40.0, 0.5);
+    const TurnLimit closed = TurnLimits(joint, {{}, {}, octahedron(20.0), whole}).first_contact(turn, 90.0);
+    EXPECT_EQ(closed.state, LimitState::free);
+  }
+}
+
 // A face of the ball that the centre sees edge-on has no gap, whoever decides about contact.
 TEST(TurnLimit, AGapIsNoneOfAFaceThatIsEdgeOn) {
   const TriangleMesh ball = octahedron(20.0);
