@@ -80,7 +80,7 @@ struct VolumeLimit {
 
 class MotionVolume {
  public:
-  /// Computes the volume: about 17 us of a core for a cell, with surfaces of 12,000 faces; with play some
+  /// Computes the volume: 50 to 100 us of a core for a cell, with surfaces of 12,000 faces; with play some
   /// times that. Throws std::invalid_argument for a width that is not above 0.
   MotionVolume(const CellTest& test, const VolumeSettings& settings);
 
