@@ -374,7 +374,7 @@ bool CellSearch::take_free(Parted& at, const CellHint& hint) {
                     }) ||
            (at.planes.size() > cuts && at.left.share(at.frame) < at.enough);
   };
-  return !any_socket_face(at.asked, with) && !at.left.empty();
+  return !any_socket_face(at.asked, with);
 }
 
 // Clips what is left to where no hole of the ball's mesh is under the socket; false if no such place could be
@@ -456,7 +456,7 @@ CellPart CellSearch::part_of(const RotationCell& cell, const CellHint& hint, boo
   if (!may_be_free) return std::move(at.part);
   if (!by_radii()) at = std::move(*seen_.clear);
   const bool apart = !by_radii() || (keep_bodies_apart(at, poses, true, cell) && take_free(at, hint));
-  if (apart && keep_covered(at) && !at.left.empty()) {
+  if (apart && keep_covered(at)) {
     if (at.planes.empty()) at.part.state = CellState::free;
     at.part.free_share = at.left.share(at.frame);
     for (std::size_t k = 0; k < at.planes.size(); ++k)

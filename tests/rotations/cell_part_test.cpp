@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
+#include "mesh/weld.hpp"
 #include "rotations/cap_floor.hpp"
 #include "rotations/radii_over_cap.hpp"
 #include "rotations/ray_spans.hpp"
@@ -312,6 +313,26 @@ TEST(CapFloor, FindsTheFaceThatHoldsADirection) {
     EXPECT_EQ(floor.face_along(c), DirectionFace::kNone) << f;
     const Vec3 shares(dice.between(0.1, 1.0), dice.between(0.1, 1.0), dice.between(0.1, 1.0));
     EXPECT_EQ(floor.face_along((shares[0] * a + shares[1] * b + shares[2] * c).normalized()), f);
+  }
+}
+
+// A strip of 800 faces from +z on, half a degree long, of which only those near a direction of the grid can
+// be walked to: farther on nothing is said, and nothing wrong.
+TEST(CapFloor, GivesUpAWalkOfManyFaces) {
+  TriangleMesh strip;
+  const auto at = [](double step, double y) {
+    return Vec3(26.0 * (step + 0.3) * 0.5 * kDegree / 400.0, y, 26.0);
+  };
+  for (int k = -2; k < 400; ++k) {
+    test::add_face(strip, at(k, -1.0), at(k + 1, -1.0), at(k + 1, 1.0));
+    test::add_face(strip, at(k, -1.0), at(k + 1, 1.0), at(k, 1.0));
+  }
+  const SeenSurface surface(weld(strip), Layer::nearest);
+  const CapFloor floor(surface);
+  for (const auto& [step, found] : {std::pair{10.3, true}, {300.3, false}}) {
+    const Vec3 u = at(step, 0.13).normalized();
+    ASSERT_NE(surface.face_along(u), DirectionFace::kNone);
+    EXPECT_EQ(floor.face_along(u), found ? surface.face_along(u) : DirectionFace::kNone) << step;
   }
 }
 
