@@ -133,7 +133,7 @@ double CellPolytope::depth_below(const FormOverCell& form, double most) const {
   const double length = std::max(form.slope.norm(), 1e-300);
   const double inside = form.slope.dot(middle_) + offset;
   if (inside >= length * radius_) return 0.0;
-  if (-inside >= most * length && inside < 0.0) return most > 0.0 ? most : HUGE_VAL;
+  if (-inside >= most * length) return most > 0.0 ? most : HUGE_VAL;
   double least = 0.0;
   for (std::size_t k = 0; k < points_; ++k) least = std::min(least, form.slope.dot(point_[k]) + offset);
   return least == 0.0 ? 0.0 : -least / length;
@@ -192,20 +192,12 @@ bool CellPolytope::clip(const CellPlane& plane, std::uint32_t number) {
     faces_ = 0;
     return false;
   }
+  if (cut < 3) return true;
   std::size_t still = 0;
   for (std::size_t k = 0; k < points_; ++k)
     if (plane.at(point_[k]) >= 0.0) point_[still++] = point_[k];
   points_ = still;
-  if (cut >= 3 && !close(plane, number, cut)) return false;
-  for (std::size_t k = 0; cut < 3 && k < cut; ++k) {  // beside a corner that is kept
-    if (points_ == kMostPoints) {
-      faces_ = 0;
-      return false;
-    }
-    point_[points_++] = cut_[k];
-  }
-  find_middle();
-  return true;
+  return close(plane, number, cut);
 }
 
 // Adds the new face in the plane, its corners in order round their mean.
@@ -234,6 +226,7 @@ bool CellPolytope::close(const CellPlane& plane, std::uint32_t number, std::size
   }
   if (face.corners > 1 && face.corner[0] == face.corner[face.corners - 1]) --face.corners;
   if (face.corners >= 3) ++faces_;
+  find_middle();
   return true;
 }
 

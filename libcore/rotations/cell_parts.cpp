@@ -24,7 +24,6 @@ constexpr std::size_t kMostBlocked = 6;      // blocked half-spaces of a cell
 constexpr std::uint32_t kUnnamed = 0xffffU;  // number of a plane that only bounds a piece
 constexpr double kLeastGain = 0.05;          // a half-space that reaches less far, in half sides, is left out
 constexpr double kLeastSlope = 1e-3;         // least share of a normal across a direction, as a divisor
-constexpr double kLeastNormal = 1e-9;        // mm^2, least cross product of two edges
 constexpr std::size_t kMostPairs = 4000;     // pairs of faces in a cell
 constexpr std::size_t kMostClose = 10000;    // pairs of faces of bodies in a cell
 constexpr std::size_t kMostTries = 2;        // ways to keep a pair of faces apart that are worked out
@@ -63,8 +62,8 @@ bool CellSearch::clear_of_bodies(const Asked& asked, const NearPoses& poses, con
 // A half-space in which the vertex blocks. It leaves out all directions of the cap in which the other surface
 // ends, or is not reached. None where that cannot be shown.
 std::optional<FormOverCell> CellSearch::block_form(const Parted& at, Surface of, const Reach& reach) {
-  const CapAngle angle(reach.cap.radius);
-  if (reach.face == DirectionFace::kNone || angle.wide) return std::nullopt;
+  const CapAngle angle(reach.cap.radius);  // not wide in a cell of kCoarsestPart
+  if (reach.face == DirectionFace::kNone) return std::nullopt;
   const bool of_ball = of == Surface::ball;
   const Vec3& axis = reach.cap.axis;
   const CapSquare square(axis, angle);
@@ -204,7 +203,7 @@ static Vec3 normal_across_edges(std::span<const Vec3> of_ball, std::span<const V
       for (const Vec3& x : of_ball) most = std::max(most, n.dot(x));
       for (const Vec3& y : of_socket) least = std::min(least, n.dot(y));
       const double length = n.norm();
-      if (!(length > kLeastNormal) || !(least > 0.0) || !(least > most)) continue;
+      if (!(least > 0.0) || !(least > most)) continue;
       const double found = (least - most) / (n.cross(of_ball[i]).norm() + kLeastSlope * length);
       if (found <= best) continue;
       best = found;
@@ -227,7 +226,7 @@ CellSearch::LeastCut CellSearch::least_cut(Parted& at, const PosedFace& socket,
   const double length = ball.plane.norm();
   // Is the plane of the ball's face nearer than all of the socket's face, in every rotation of the cell?
   const double ratio = at.about.wide ? 0.0 : least_over(ball.plane, socket.axis, at.about) * socket.range.low;
-  if (ratio > 1.0 && ratio > 1.0 + (ball.doubt + kTolerance) * (2.0 + length * socket.range.low)) return best;
+  if (ratio > 1.0 + (ball.doubt + kTolerance) * (2.0 + length * socket.range.low)) return best;
   const bool planes = !ball.plane.isZero(0.0) && !socket.plane.isZero(0.0);
   best.cut = HUGE_VAL;
   LeastCut tried;
@@ -451,8 +450,11 @@ CellPart CellSearch::part_of(const RotationCell& cell, const CellHint& hint, boo
     const std::vector<FormOverCell> more = blocked_by_radii(at, hint);
     forms.insert(forms.end(), more.begin(), more.end());
   }
-  if (take_blocked(at, forms)) at.part.state = CellState::blocked;
-  const bool may_be_free = by_radii() ? free && !at.left.empty() : forms.empty() && seen_.clear;
+  if (take_blocked(at, forms)) {
+    at.part.state = CellState::blocked;
+    return std::move(at.part);
+  }
+  const bool may_be_free = by_radii() ? free : forms.empty() && seen_.clear;
   if (!may_be_free) return std::move(at.part);
   if (!by_radii()) at = std::move(*seen_.clear);
   const bool apart = !by_radii() || (keep_bodies_apart(at, poses, true, cell) && take_free(at, hint));

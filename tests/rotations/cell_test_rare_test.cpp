@@ -248,6 +248,26 @@ TEST(CellTest, AVertexOfNoFaceInTheCentreChangesNothing) {
   }
 }
 
+// The length of a corner is rounded to 0: its face may be anywhere, and nothing is free beside it.
+TEST(CellTest, AFaceFromTheCentreLeavesNoPartFree) {
+  BallSocketPair joint{ball_with_a_spike(), cup(26.0, 70.0, 60)};
+  const auto parts = [&](bool free) {
+    const CellTest test(joint);
+    CellSearch search(test);
+    test::Dice dice(86);
+    std::size_t found = 0;
+    for (std::size_t k = 0; k < random_cases() / 10; ++k) {
+      const Eigen::AngleAxisd tilt((70.0 + dice.between(-3.0, 30.0)) * kDegree, Vec3::UnitX());
+      const CellPart part = search.part_of(cell_near(quaternion_of(tilt), dice, 5, 8), {});
+      found += part.free.empty() && part.state != CellState::free ? 0U : 1U;
+    }
+    EXPECT_EQ(found > 0, free);
+  };
+  parts(true);
+  test::add_face(joint.ball, Vec3::Constant(1e-200), {0, 0, -30}, {1, 0, -30});
+  parts(false);
+}
+
 // A wall of the socket that lies in a plane with the origin reaches into the ball. Radii know nothing of it;
 // from a centre beside that plane they overlap.
 TEST(CellTest, AWallOfTheSocketThatTheOriginSeesEdgeOnCounts) {
