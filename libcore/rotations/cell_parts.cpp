@@ -15,25 +15,24 @@
 namespace impinge {
 namespace {
 
-constexpr std::uint32_t kCoarsestPart = 5;      // cells from this level on are taken apart
-constexpr std::uint32_t kCoarsestOfBodies = 5;  // the same level where bones have an inside
-constexpr std::uint32_t kCoarsestBlocked = 3;   // and that for blocked parts of these
-constexpr std::uint32_t kFinestPart = 10;       // beyond this level planes in floats are too coarse
-constexpr std::size_t kMostWitnesses = 4;    // vertices, or points of bodies, that may block part of a cell
-constexpr std::size_t kMostBlocked = 6;      // blocked half-spaces of a cell
-constexpr std::uint32_t kUnnamed = 0xffffU;  // number of a plane that only bounds a piece
-constexpr double kLeastGain = 0.05;          // a half-space that reaches less far, in half sides, is left out
-constexpr double kLeastSlope = 1e-3;         // least share of a normal across a direction, as a divisor
-constexpr std::size_t kMostPairs = 4000;     // pairs of faces in a cell
-constexpr std::size_t kMostClose = 10000;    // pairs of faces of bodies in a cell
-constexpr std::size_t kMostTries = 2;        // ways to keep a pair of faces apart that are worked out
-constexpr double kLeastAlong = 0.1;          // of a direction along the axis of a cap that it is near
-constexpr double kLeastFree = 0.4;           // a smaller share of a cell is not worth its time
+constexpr std::uint32_t kCoarsestPart = 5;     // cells from this level on are taken apart
+constexpr std::uint32_t kCoarsestBlocked = 3;  // and for blocked parts of bones with an inside
+constexpr std::uint32_t kFinestPart = 10;      // beyond this level planes in floats are too coarse
+constexpr std::size_t kMostWitnesses = 4;      // vertices, or points of bodies, that may block part of a cell
+constexpr std::size_t kMostBlocked = 6;        // blocked half-spaces of a cell
+constexpr std::uint32_t kUnnamed = 0xffffU;    // number of a plane that only bounds a piece
+constexpr double kLeastGain = 0.05;        // a half-space that reaches less far, in half sides, is left out
+constexpr double kLeastSlope = 1e-3;       // least share of a normal across a direction, as a divisor
+constexpr std::size_t kMostPairs = 4000;   // pairs of faces in a cell
+constexpr std::size_t kMostClose = 10000;  // pairs of faces of bodies in a cell
+constexpr std::size_t kMostTries = 2;      // ways to keep a pair of faces apart that are worked out
+constexpr double kLeastAlong = 0.1;        // of a direction along the axis of a cap that it is near
+constexpr double kLeastFree = 0.4;         // a smaller share of a cell is not worth its time
 
 }  // namespace
 
 bool CellSearch::parts_of_bodies(const RotationCell& cell) const {
-  return may_be_parted() && cell.level <= kFinestPart && cell.level >= kCoarsestOfBodies;
+  return may_be_parted() && cell.level <= kFinestPart && cell.level >= kCoarsestPart;
 }
 
 // Looks at bones with an inside, and for the part in which they are apart if the cell may be taken apart.

@@ -309,16 +309,24 @@ bool CellSearch::may_leave(const Asked& asked) const {
   return any_hole(asked, [](const DirectionCap&, const DirectionFace&) { return true; });
 }
 
-bool CellSearch::leaves(const Asked& asked) const {
+// Is a direction without a face of the ball under a face of the socket, in all of the rotations? Either one
+// direction of the socket stays over a hole, or one of a hole under the socket.
+bool CellSearch::leaves(const Asked& asked) {
   const CellTest::Side& ball = test_.side(Surface::ball);
   const CellTest::Side& socket = test_.side(Surface::socket);
   const double turn = asked.angle.radius + kTurnSlack;
-  return std::ranges::any_of(ball.holes.empty,
-                             [&](const DirectionCap& hole) {
-                               return asked.aside == 0.0 && hole.radius >= turn &&
-                                      socket.floor.face_along(asked.rotation * hole.axis) !=
-                                          DirectionFace::kNone;
-                             }) ||
+  const bool exact = test_.question_.centre_within_mm == 0.0;
+  return std::ranges::any_of(
+             ball.holes.empty,
+             [&](const DirectionCap& hole) {
+               const DirectionCap cap{asked.rotation * hole.axis, turn};
+               const std::uint32_t face =
+                   asked.aside == 0.0 ? socket.floor.face_along(cap.axis) : DirectionFace::kNone;
+               return face != DirectionFace::kNone &&
+                      (hole.radius >= turn ||
+                       (exact &&
+                        socket.seen.covers(cap, face, memory_, [](const DirectionFace&) { return true; })));
+             }) ||
          std::ranges::any_of(socket.seen.vertices(), [&](const Vec3& y) {
            const Vec3 x = asked.inverse * (y - asked.offset);
            return ball.floor.uncovered(x) && !ball.seen.any_near({x.stableNormalized(), turn});
@@ -394,7 +402,7 @@ CellVerdict CellSearch::decide(const RotationBall& rotations, const CellHint& fr
 }
 
 // Nothing touches. Does the ball's mesh end under the socket?
-CellState CellSearch::state_of_free(const Asked& asked) const {
+CellState CellSearch::state_of_free(const Asked& asked) {
   if (!may_leave(asked)) return CellState::free;
   return leaves(asked) ? CellState::unknown : CellState::open;
 }

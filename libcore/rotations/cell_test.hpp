@@ -215,7 +215,7 @@ class CellSearch {
   struct Playing;  // a cell and all shifts of the ball
   CellVerdict decide_with_play(const RotationBall& rotations, const CellHint& from, const RotationCell* cell);
   CellVerdict facing(const Asked& asked, const CellHint& from);  // about the main surfaces, by radii
-  CellState state_of_free(const Asked& asked) const;
+  CellState state_of_free(const Asked& asked);
   CapAngle angle_of(const Asked& asked, const PosedFace& socket, const DirectionFace& ball) const;
   const DirectionFace& seen_face(const Asked& asked, std::uint32_t socket_face, DirectionFace& room) const;
   PosedFace posed(const Asked& asked, std::uint32_t socket_face) const;
@@ -233,7 +233,7 @@ class CellSearch {
   bool any_hole(const Asked& asked, const Found& found) const;
   bool keep_covered(Parted& at) const;
   bool may_leave(const Asked& asked) const;
-  bool leaves(const Asked& asked) const;
+  bool leaves(const Asked& asked);
 
   static constexpr double kTolerance = CellTest::kTolerance;
   static constexpr double kTurnSlack = CellTest::kTurnSlack;

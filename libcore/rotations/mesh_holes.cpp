@@ -12,7 +12,9 @@
 namespace impinge {
 namespace {
 
-constexpr std::size_t kFinest = 8;  // halvings
+constexpr std::size_t kFine = 8;     // halvings, of a cell that has a direction without a face
+constexpr std::size_t kFinest = 10;  // and of others
+constexpr double kBeyond = 1e-6;     // radians, from a border to a direction in the hole
 
 // A cell of a face of the cube: its middle, and half of its side.
 struct HoleCell {
@@ -45,7 +47,7 @@ class HoleFinder {
     if (covered) return;
     const bool empty = !surface_.any_near(cap);
     if (empty) clear.push_back(cap);
-    if (empty || level == kFinest) {
+    if (empty || (level >= kFine && add_point(cap)) || level == kFinest) {
       holes.push_back({cap, {0.0, 1.0}});
       return;
     }
@@ -55,11 +57,29 @@ class HoleFinder {
     }
   }
 
+  // A direction without a face, if the axis or one just beyond a border is one.
+  bool add_point(const DirectionCap& cap) {
+    const auto add = [&](const Vec3& u) {
+      const DirectionCap point{u, kCapSlack};
+      const bool is = !surface_.any_near(point);
+      if (is) clear.push_back(point);
+      return is;
+    };
+    if (add(cap.axis)) return true;
+    for (const SeenBorder& border : borders_) {
+      const double off = border.inward.dot(cap.axis);
+      if (std::abs(off) > cap.radius) continue;
+      if (add((cap.axis - (off + kBeyond) * border.inward).normalized())) return true;
+    }
+    return false;
+  }
+
   std::vector<CapItem> holes;
-  std::vector<DirectionCap> clear;  // those of `holes` without a face
+  std::vector<DirectionCap> clear;  // without a face: some of `holes`, and points of others
 
  private:
   const SeenSurface& surface_;
+  std::vector<SeenBorder> borders_ = surface_.borders();
   PatchMemory memory_;
 };
 
