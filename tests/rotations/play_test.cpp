@@ -20,6 +20,7 @@
 #include "gap/overlay.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
+#include "mesh/bodies.hpp"
 #include "reference/meeting_surfaces.hpp"
 #include "rotations/volume.hpp"
 #include "support/closed_bones.hpp"
@@ -30,6 +31,7 @@
 #include "support/joined.hpp"
 #include "support/random_cases.hpp"
 #include "support/turned.hpp"
+#include "table/pairwise.hpp"
 
 namespace impinge {
 namespace {
@@ -91,14 +93,16 @@ struct Attacked {
   std::size_t free = 0;
   std::size_t shifted = 0;  // free with a shift
   std::size_t blocked = 0;
+  std::size_t unknown = 0;
 };
 
 // Asks about rotations of random cells that are decided. In what is free none may touch with the cell's
-// shift; in a blocked cell each must touch with any shift.
+// shift; in a blocked cell each must touch with any shift. If the ball's mesh ends, it does so over no free
+// one, and over each unknown one.
 class ShiftAttack {
  public:
-  ShiftAttack(const CellTest& test, Touches touches)
-      : play_(test.question().play_mm), touches_(std::move(touches)), search_(test) {}
+  ShiftAttack(const CellTest& test, Touches touches, Touches ends = nullptr)
+      : play_(test.question().play_mm), touches_(std::move(touches)), ends_(std::move(ends)), search_(test) {}
 
   Attacked run(std::size_t cells) {
     for (std::size_t k = 0; k < cells; ++k) {
@@ -129,11 +133,17 @@ class ShiftAttack {
         ++(shift.isZero(0.0) ? asked_.free : asked_.shifted);
         EXPECT_FALSE(touches_(rotation, shift)) << cell.level << " " << cell.number;
       }
+      const bool nothing = verdict.state == CellState::free || verdict.state == CellState::unknown;
+      if (ends_ && nothing) {
+        EXPECT_EQ(ends_(rotation, shift), verdict.state == CellState::unknown) << cell.level;
+        if (verdict.state == CellState::unknown) ++asked_.unknown;
+      }
     }
   }
 
   double play_;
   Touches touches_;
+  Touches ends_;
   CellSearch search_;
   test::Dice dice_{72};
   Attacked asked_;
@@ -206,6 +216,41 @@ TEST(TheoremPlay, IsNeverWrongOfEdgeOnFaces) {
   EXPECT_GT(all.free, random_cases());
   EXPECT_GT(all.shifted, random_cases() / 100);
   EXPECT_GT(all.blocked, random_cases() / 100);
+}
+
+// A ball with a hole, under a cup that it meets without a shift. Random points of the cup say whether the
+// hole is under it.
+TEST(TheoremPlay, IsNeverWrongWhereTheBallEnds) {
+  BallSocketPair joint{sphere(20.0, 1000), test::moved(cup(20.3, 60.0, 300), {0.0, 0.0, -0.4})};
+  std::erase_if(joint.ball.faces, [&](const Face& face) {
+    const auto corners = corners_of(joint.ball, face);
+    return angle_between(corners[0] + corners[1] + corners[2], {0.3, -0.4, 0.7}) < 0.25;
+  });
+  test::ExactTouch overlay(joint);
+  const RayCaster ball(joint.ball);
+  test::Dice dice(75);
+  const auto ends = [&](const Eigen::Matrix3d& rotation, const Vec3& shift) {
+    const auto misses = [&](const Vec3& y) {
+      return std::isnan(ball.cast((rotation.transpose() * (y - shift)).normalized(), Layer::farthest));
+    };
+    if (std::ranges::any_of(joint.socket.vertices, misses)) return true;
+    for (std::size_t k = 0; k < 1000; ++k) {
+      const auto face =
+          static_cast<std::size_t>(dice.whole(0, static_cast<int>(joint.socket.faces.size()) - 1));
+      const auto corners = corners_of(joint.socket, joint.socket.faces[face]);
+      const double a = dice.between(0.0, 1.0);
+      const double b = (1.0 - a) * dice.between(0.0, 1.0);
+      if (misses(a * corners[0] + b * corners[1] + (1.0 - a - b) * corners[2])) return true;
+    }
+    return false;
+  };
+  const auto touches = [&](const Eigen::Matrix3d& rotation, const Vec3& shift) {
+    return overlay.impinged({rotation, shift});
+  };
+  const Attacked asked =
+      ShiftAttack(CellTest(joint, {.play_mm = 1.0}), touches, ends).run(random_cases() / 10);
+  EXPECT_GT(asked.shifted, random_cases() / 20);
+  EXPECT_GT(asked.unknown, random_cases() / 100);
 }
 
 // Seen from the ball's centre a shift by r turns the rim of the cup, 26 mm away, by asin(r / 26) at most;
