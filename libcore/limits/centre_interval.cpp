@@ -81,27 +81,29 @@ std::vector<TurnFace> points_of(const TriangleMesh& mesh) {
 
 }  // namespace
 
-CentreIntervals::CentreIntervals(const CulledJoint& joint, const CentreQuestion& question,
-                                 const BodyPairs& bodies)
+CentreIntervals::CentreIntervals(const CulledJoint& joint, const SweptParts& ball, const SweptParts& socket,
+                                 const CentreQuestion& question, const BodyPairs& bodies)
     : joint_(joint),
       question_(question),
       bodies_(bodies),
-      ball_(side(joint.meshes().ball, joint.meshes().socket, false)),
-      socket_(side(joint.meshes().socket, joint.meshes().ball, true)) {}
+      ball_(side(ball, Surface::ball)),
+      socket_(side(socket, Surface::socket)) {}
 
-CentreIntervals::Side CentreIntervals::side(const TriangleMesh& mesh, const TriangleMesh& other,
-                                            bool is_socket) const {
+CentreIntervals::Side CentreIntervals::side(const SweptParts& faces, Surface of) const {
+  const TriangleMesh& mesh = mesh_of(joint_.meshes(), of);
   const double r = question_.within_mm;
   if (question_.gap_mm == 0.0)
-    return {SweptParts(turn_faces(mesh)), SweptParts(), SweptParts(), jump_edges(mesh), border_of(mesh), 0.0};
+    return {faces, SweptParts(), SweptParts(), jump_edges(mesh), border_of(mesh), 0.0};
   const std::vector<Edge> edges = possible_jumps(mesh, r);
-  const std::vector<VertexIndex> facing = surface_vertices(other);
-  WallQuestion walls{is_socket, question_.doubt == CentreDoubt::common, r, question_.gap_mm, HUGE_VAL, 0.0};
+  const TriangleMesh& facing_mesh = mesh_of(joint_.meshes(), other(of));
+  const std::vector<VertexIndex> facing = surface_vertices(facing_mesh);
+  WallQuestion walls{
+      of == Surface::socket, question_.doubt == CentreDoubt::common, r, question_.gap_mm, HUGE_VAL, 0.0};
   for (const VertexIndex v : facing) {
-    walls.nearest = std::min(walls.nearest, other.vertices[v].norm());
-    walls.farthest = std::max(walls.farthest, other.vertices[v].norm());
+    walls.nearest = std::min(walls.nearest, facing_mesh.vertices[v].norm());
+    walls.farthest = std::max(walls.farthest, facing_mesh.vertices[v].norm());
   }
-  Side made{SweptParts(turn_faces(mesh)),
+  Side made{faces,
             SweptParts(facing.empty() ? std::vector<TurnFace>{} : shells(mesh, edges, walls)),
             SweptParts(points_of(mesh)),
             jump_edges(mesh),

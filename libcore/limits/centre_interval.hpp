@@ -51,10 +51,10 @@ struct CentreLimit {
 /// The intervals of several turns of one joint.
 class CentreIntervals {
  public:
-  /// The main surfaces, without edge-on faces (mesh/surface_vertices.hpp), and all bodies; both must outlive
-  /// this.
-  CentreIntervals(const CulledJoint& joint, const CentreQuestion& question, const BodyPairs& bodies);
-  CentreIntervals(const CulledJoint&&, const CentreQuestion&, const BodyPairs&) = delete;
+  /// The main surfaces, without edge-on faces (mesh/surface_vertices.hpp), the faces of these, and all
+  /// bodies. All must outlive this.
+  CentreIntervals(const CulledJoint& joint, const SweptParts& ball, const SweptParts& socket,
+                  const CentreQuestion& question, const BodyPairs& bodies);
 
   const CentreQuestion& question() const { return question_; }  // as it was asked
 
@@ -68,14 +68,14 @@ class CentreIntervals {
  private:
   /// A surface, as the search for contacts with the other one needs it.
   struct Side {
-    SweptParts faces;
+    const SweptParts& faces;
     SweptParts walls;
     SweptParts points;            // all vertices
     std::vector<JumpEdge> jumps;  // about the origin
     std::vector<Edge> border;     // edges of an odd number of faces
     double nearest = 0.0;         // mm, least distance of a face from the origin
   };
-  Side side(const TriangleMesh& mesh, const TriangleMesh& other, bool is_socket) const;
+  Side side(const SweptParts& faces, Surface of) const;
   /// A turn from its start to an angle.
   struct Way {
     const JointTurn& turn;

@@ -197,7 +197,9 @@ const CentreIntervals& TurnLimits::intervals(const CentreQuestion& question) con
   const CulledJoint& vertices = answers_->vertices();
   const std::lock_guard lock(answers_->making);
   const std::array key{static_cast<double>(question.doubt), question.within_mm, question.gap_mm};
-  return answers_->intervals.try_emplace(key, vertices, question, answers_->bodies).first->second;
+  return answers_->intervals
+      .try_emplace(key, vertices, answers_->ball.faces, answers_->socket.faces, question, answers_->bodies)
+      .first->second;
 }
 
 CentreInterval TurnLimits::centre_interval(const JointTurn& turn, const TurnLimit& limit, double largest_deg,
