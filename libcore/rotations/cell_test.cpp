@@ -18,6 +18,7 @@ namespace impinge {
 namespace {
 
 constexpr double kTolerance = CellTest::kTolerance;
+constexpr std::size_t kMostWalked = 20000;  // faces over caps, for all vertices of a surface that may block
 
 // The mesh with every corner moved out along its ray, so that each face is moved out by the gap at least
 // (theorem in the header, (iii)). Edge-on faces that do not count are left out first, as rounding may make
@@ -281,6 +282,7 @@ bool CellSearch::find_reach(const Asked& asked, Surface of, CellHint& hint, doub
   const bool of_ball = of == Surface::ball;
   const CellTest::Side& met = test_.side(other(of));
   const double more = test_.question_.gap_mm - asked.shift;
+  std::size_t walked = 0;
   const auto take = [&](std::uint32_t v) {
     const Reach reach = reach_at(asked, of, v);
     if (reach.angle > best) {
@@ -288,7 +290,10 @@ bool CellSearch::find_reach(const Asked& asked, Surface of, CellHint& hint, doub
       hint.vertex = v;
       hint.of_ball = of_ball;
     }
-    if (reach.angle < 0.5 * reach.cap.radius || !blocks(reach, of)) return false;
+    if (reach.angle < 0.5 * reach.cap.radius || walked > kMostWalked) return false;
+    const bool found = blocks(reach, of);
+    walked += memory_.faces.size();
+    if (!found) return false;
     hint.vertex = v;
     hint.of_ball = of_ball;
     return true;
