@@ -309,19 +309,6 @@ TEST(CellTest, AFaceTooWideForAPlaneBlocksNothing) {
   }
 }
 
-// What was found of the last parent is not asked about a whole cube.
-TEST(CellTest, AWholeCubeHasNoParent) {
-  const Hip hip = make_hip(hip_preset("cam"), 500);
-  const CellTest test({hip.ball, hip.socket});
-  CellSearch search(test);
-  for (std::uint64_t cube = 0; cube < 4; ++cube) {
-    search.enter({0, (cube + 1) % 4});
-    const CellVerdict found = search.decide(RotationCell{0, cube});
-    EXPECT_EQ(found.state, CellSearch(test).decide(RotationCell{0, cube}).state);
-    EXPECT_EQ(found.state, CellState::open);
-  }
-}
-
 // Turned by half a turn about a centre 0.998 r off, a flap below the ball is where the socket's only face is:
 // the turn of its direction is that of its own length, whatever a gap adds to that.
 TEST(CellTest, AGapMakesNoDirectionTurnLess) {
