@@ -292,7 +292,7 @@ TEST(TheoremVolume, IsNeverWrongWhereTheBallHasASlit) {
 
 // Nor is there a hole where the halves overlap by less than that.
 TEST(CellTest, HalvesThatOverlapLeaveNoHole) {
-  EXPECT_TRUE(mesh_holes(SeenSurface(halves(180.2), Layer::farthest)).caps.empty());
+  EXPECT_TRUE(mesh_holes(SeenSurface(test::askew(halves(180.2)), Layer::farthest)).caps.empty());
 }
 
 // A face that is seen under 160 degrees has no plane, and blocks nothing whatever vertex is beyond it.
