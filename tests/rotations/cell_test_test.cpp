@@ -295,20 +295,6 @@ TEST(CellTest, HalvesThatOverlapLeaveNoHole) {
   EXPECT_TRUE(mesh_holes(SeenSurface(test::askew(halves(180.2)), Layer::farthest)).caps.empty());
 }
 
-// A face that is seen under 160 degrees has no plane, and blocks nothing whatever vertex is beyond it.
-TEST(CellTest, AFaceTooWideForAPlaneBlocksNothing) {
-  TriangleMesh ball = sphere(1.0, 8);
-  test::add_face(ball, {-0.1, 0, 2.9}, {0.1, 0, 2.9}, {0, 0.1, 3});
-  TriangleMesh socket;
-  test::add_face(socket, {-20, -12, 2}, {20, -12, 2}, {0, 24, 2});
-  const CellTest test({ball, socket});
-  CellHint hint;
-  for (hint.vertex = 0; hint.vertex < ball.vertices.size(); ++hint.vertex) {
-    const CellVerdict found = CellSearch(test).decide({Eigen::Matrix3d::Identity(), 1e-3}, hint);
-    EXPECT_EQ(found.state, CellState::open) << hint.vertex;
-  }
-}
-
 // Turned by half a turn about a centre 0.998 r off, a flap below the ball is where the socket's only face is:
 // the turn of its direction is that of its own length, whatever a gap adds to that.
 TEST(CellTest, AGapMakesNoDirectionTurnLess) {
