@@ -7,10 +7,12 @@
 #include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "mesh/split_faces.hpp"
 #include "mesh/star_shape.hpp"
 #include "mesh/validation.hpp"
+#include "mesh/weld.hpp"
 #include "sphere/infinity.hpp"
 #include "table/near_faces.hpp"
 
@@ -343,22 +345,37 @@ bool take_out_whole(const std::vector<Leaf>& leaves, Resection& found) {
   return found.cut.faces.size() < leaves.size();
 }
 
+void flip_faces(TriangleMesh& mesh) {
+  for (Face& face : mesh.faces) std::swap(face[1], face[2]);
+}
+
+// Are the normals of the ball inwards? Volumes are those of cones over its faces, with signs.
+bool is_inside_out(const TriangleMesh& ball) {
+  double volume = 0.0;
+  for (const Face& face : ball.faces) volume += cone_volume(ball, face);
+  return volume < 0.0;
+}
+
 Resection cut_of_ball(const TriangleMesh& ball, const SweptRadius& swept, const CutQuestion& question) {
   Resection found;
-  found.before = ball;
+  found.before = without_repeats(ball);
+  const bool inside_out = is_inside_out(found.before);
+  if (inside_out) flip_faces(found.before);
   const auto leaves = leaves_of(found.before, question, [&](const TriangleMesh& mesh, const Face& face) {
     return ball_leaf(SeenLeaf(mesh, face), swept, question.clearance_mm);
   });
   sum_up(leaves, found);
   move_corners(leaves, found);
+  if (inside_out)
+    for (TriangleMesh* mesh : {&found.before, &found.cut}) flip_faces(*mesh);
   return found;
 }
 
 Resection cut_of_socket(const TriangleMesh& socket, const SweptRadius& swept, const CutQuestion& question) {
   Resection found;
   found.of = Surface::socket;
-  found.before = socket;
-  const std::optional<Bone> bone = bone_of(socket);
+  found.before = without_repeats(socket);
+  const std::optional<Bone> bone = bone_of(found.before);
   const auto leaves = leaves_of(found.before, question, [&](const TriangleMesh& mesh, const Face& face) {
     return socket_leaf(SeenLeaf(mesh, face), swept, bone, question.clearance_mm);
   });
@@ -380,7 +397,8 @@ Resection least_radial_cut(const TriangleMesh& surface, const SweptRadius& swept
 }
 
 LeastCut least_cut(const TriangleMesh& ball, const SweptBone& swept, const CutQuestion& question) {
-  TriangleMesh mesh = ball;
+  TriangleMesh mesh = without_repeats(ball);
+  if (is_inside_out(mesh)) flip_faces(mesh);
   const std::vector<Leaf> leaves = leaves_of(mesh, question, [&](const TriangleMesh& at, const Face& face) {
     return least_leaf(SeenLeaf(at, face), swept);
   });

@@ -13,7 +13,9 @@
 #include "hip/sphere_fit.hpp"
 #include "joint/touch.hpp"
 #include "limits/body_pairs.hpp"
+#include "mesh/mesh_parts.hpp"
 #include "mesh/triangle_distance.hpp"
+#include "mesh/weld.hpp"
 #include "table/near_faces.hpp"
 
 namespace impinge {
@@ -42,6 +44,16 @@ std::string at_place(const SessionJoint& joint, Surface of, const Vec3& place) {
 std::string meet(const Joint& joint, std::size_t ball, std::size_t socket) {
   return body_name(joint.ball.parts, ball).value_or("the ball") + " meets " +
          body_name(joint.socket.parts, socket).value_or("the socket");
+}
+
+// A bone in the joint frame whose main surface was cut, with all that continues it. Vertices of the cut come
+// first.
+TriangleMesh whole_of(const SessionJoint& joint, const Resection& cut) {
+  const JointPart& bone = joint.bone(cut.of);
+  TriangleMesh whole = cut.cut;
+  for (std::size_t k = 0; k < bone.parts.size() && bone.parts[k].of_main; ++k)
+    whole = continued(std::move(whole), in_joint_frame(joint, part_surface(bone.mesh, bone.parts, k)));
+  return whole;
 }
 
 // Refuses a joint that is not free in the pose of the scan.
@@ -189,11 +201,25 @@ BoneParts beside_in_joint_frame(const SessionJoint& joint) {
   return beside;
 }
 
-// Refuses a part that stops the leg, since parts are not cut.
-void require_no_part_in_the_way(const Joint& joint, const RequiredLeg& leg, const TurnLimit& after) {
+bool is_on(const TriangleMesh& mesh, const Vec3& x) {
+  constexpr double kOn = 1e-3;  // mm
+  return std::ranges::any_of(mesh.faces, [&](const Face& face) {
+    const auto [a, b, c] = corners_of(mesh, face);
+    return squared_distance_to_triangle(x, a, b, c) <= kOn * kOn;
+  });
+}
+
+// Refuses bone beside the joint that stops the leg: a part, or what continues a surface of the joint.
+void require_no_part_in_the_way(const Joint& joint, const BallSocketPair& surfaces, const RequiredLeg& leg,
+                                const TurnLimit& after) {
   if (!after.contact) return;
   const auto [ball, socket] = after.contact->body;
-  if (ball == 0 && socket == 0) return;
+  const Eigen::AngleAxisd turned(after.contact->angle, leg.turn.axis);
+  const Eigen::Matrix3d rotation = leg.turn.outer * turned.toRotationMatrix() * leg.turn.inner;
+  const Vec3& place = after.contact->place;
+  if (ball == 0 && socket == 0 && is_on(surfaces.socket, place) &&
+      is_on(surfaces.ball, rotation.transpose() * place))
+    return;
   throw std::runtime_error(meet(joint, ball, socket) + " " + rounded_down(after.low_deg, 1) +
                            " degrees into " + describe(leg) +
                            ", and bone beside the joint is not cut; require less");
@@ -206,7 +232,7 @@ TurnLimit reached(const SessionJoint& joint, const TurnLimits& cut, Surface of, 
   TurnLimit after = cut.first_contact(leg.turn, farthest);
   if (!joint.joint.ball.taken) require_whole_ball(leg, after);  // else the rest of the bone is a part
   if (after.low_deg >= leg.largest_deg) return after;
-  require_no_part_in_the_way(joint.joint, leg, after);
+  require_no_part_in_the_way(joint.joint, cut.meshes(), leg, after);
   throw std::runtime_error("the cut " + std::string(name(of)) + " is not proven to reach " + describe(leg) +
                            ", but " + rounded_down(after.low_deg, 3) +
                            (after.high_deg > leg.largest_deg  // no contact is certain before it
@@ -230,15 +256,16 @@ void add_least(const SessionJoint& joint, LeastCut least, ResectAnswer& found) {
   }
 }
 
-void add_cut(const SessionJoint& joint, Resection cut, ResectAnswer& found) {
+void add_cut(const SessionJoint& joint, const Resection& cut, TriangleMesh whole, ResectAnswer& found) {
   static_cast<CutSize&>(found) = cut;
   found.surface = cut.of;
   if (!known_ends(found.volume_mm3)) found.volume_why = kNoVolume;
   if (!cut.empty()) found.deepest = from_joint_frame(joint, cut.of, cut.before.vertices[cut.deepest]);
   found.mesh_volume_mm3 = cut.cut_mm3;
-  found.mesh = std::move(cut.cut);
+  found.mesh = std::move(whole);
   for (Vec3& x : found.mesh.vertices) x = from_joint_frame(joint, cut.of, x);
-  found.depth = std::move(cut.depth);
+  found.depth = cut.depth;
+  found.depth.resize(found.mesh.vertices.size(), 0.0);
 }
 
 }  // namespace
@@ -277,7 +304,12 @@ ResectAnswer answer(Session& session, const ResectRequest& request) {
   require_no_bearing_cut(joint, request, cut, swept.other());
   ResectAnswer found;
   if (of_ball) found.neck = neck_left(joint, request, cut, ball);
-  const TurnLimits after(of_ball ? BallSocketPair{cut.cut, socket} : BallSocketPair{ball, cut.cut}, beside);
+  TriangleMesh whole = whole_of(joint, cut);
+  BoneParts beside_cut = beside;
+  auto& whole_beside = of_ball ? beside_cut.whole_ball : beside_cut.whole_socket;
+  if (whole_beside) whole_beside = whole;
+  const TurnLimits after(of_ball ? BallSocketPair{cut.cut, socket} : BallSocketPair{ball, cut.cut},
+                         beside_cut);
   for (const RequiredLeg& leg : legs)
     found.legs.push_back(
         {leg, before.first_contact(leg.turn, leg.largest_deg), reached(joint, after, cut.of, leg)});
@@ -286,7 +318,7 @@ ResectAnswer answer(Session& session, const ResectRequest& request) {
     nest(least, cut);
     add_least(joint, std::move(least), found);
   }
-  add_cut(joint, std::move(cut), found);
+  add_cut(joint, cut, std::move(whole), found);
   return found;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/weld.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <set>
 #include <unordered_map>
 #include <vector>
 
@@ -50,6 +52,31 @@ TriangleMesh weld(const TriangleMesh& mesh) {
     if (moved[0] != moved[1] && moved[1] != moved[2] && moved[2] != moved[0]) welded.faces.push_back(moved);
   }
   return welded;
+}
+
+TriangleMesh without_repeats(TriangleMesh mesh) {
+  std::set<Face> seen;
+  std::erase_if(mesh.faces, [&](Face face) {
+    std::ranges::sort(face);
+    return !seen.insert(face).second;
+  });
+  return mesh;
+}
+
+TriangleMesh continued(TriangleMesh mesh, const TriangleMesh& rest) {
+  const std::size_t own = mesh.vertices.size();
+  std::vector<Vec3> all = mesh.vertices;
+  all.insert(all.end(), rest.vertices.begin(), rest.vertices.end());
+  const std::vector<VertexIndex> first = first_at_place(all);
+  std::vector<VertexIndex> to;
+  for (std::size_t v = 0; v < rest.vertices.size(); ++v) {
+    const VertexIndex at = first[own + v];
+    const bool is_new = at == own + v;
+    to.push_back(at < own ? at : is_new ? static_cast<VertexIndex>(mesh.vertices.size()) : to[at - own]);
+    if (is_new) mesh.vertices.push_back(rest.vertices[v]);
+  }
+  for (const Face& face : rest.faces) mesh.faces.push_back({to[face[0]], to[face[1]], to[face[2]]});
+  return mesh;
 }
 
 }  // namespace impinge

@@ -14,6 +14,7 @@
 #include "limits/bump_under_a_cup.hpp"
 #include "limits/turn_limit.hpp"
 #include "support/dice.hpp"
+#include "support/joined.hpp"
 #include "support/random_cases.hpp"
 
 namespace impinge {
@@ -31,8 +32,18 @@ double integral(double to, F&& f) {
   return sum * to / (3.0 * kSteps);
 }
 
-TEST(Resection, OfABumpIsItsClosedForm) {
-  const BallSocketPair joint = bump_under_a_cup();
+// With its normals inwards, and with each face twice, the second time the other way round.
+BallSocketPair inside_out(BallSocketPair joint) {
+  joint.ball = test::inside_out(joint.ball);
+  return joint;
+}
+BallSocketPair twice(BallSocketPair joint) {
+  const std::vector<Face> again = test::inside_out(joint.ball).faces;
+  joint.ball.faces.insert(joint.ball.faces.end(), again.begin(), again.end());
+  return joint;
+}
+
+void expect_closed_form_of_a_bump(const BallSocketPair& joint) {
   const std::vector<RequiredLeg> legs{turn_about_y(90.0)};
   const SweptRadius swept(joint.socket, legs);
   for (const double clearance : {0.25, 1.0}) {
@@ -65,9 +76,15 @@ TEST(Resection, OfABumpIsItsClosedForm) {
   }
 }
 
+TEST(Resection, OfABumpIsItsClosedForm) {
+  expect_closed_form_of_a_bump(bump_under_a_cup());
+  expect_closed_form_of_a_bump(inside_out(bump_under_a_cup()));
+  expect_closed_form_of_a_bump(twice(bump_under_a_cup()));
+}
+
 // All bump above the inside of the wall goes out to its outside, and what is beyond stays.
 TEST(LeastCut, OfABumpIsItsClosedForm) {
-  const BallSocketPair joint = bump_under_a_cup();
+  const BallSocketPair joint = twice(inside_out(bump_under_a_cup()));
   const double clearance = 0.4;
   const CutQuestion question{.clearance_mm = clearance, .closeness = 0.2};
   const LeastCut cut =

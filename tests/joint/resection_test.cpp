@@ -11,6 +11,7 @@
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "joint/resect.hpp"
+#include "mesh/edges.hpp"
 #include "support/thrown.hpp"
 
 namespace impinge {
@@ -96,6 +97,22 @@ TEST(SessionResection, SaysThatTheBonesTouchBeforeAnyMotion) {
   Session session(std::move(joint), Side::right, "RAS");
   EXPECT_EQ(thrown<std::runtime_error>([&] { answer(session, asked("flexion=30")); }).substr(0, 49),
             "the ball meets the socket in the pose of the scan");
+}
+
+// Of a femur with its shaft all is tested, and written: the cut, and what continues it.
+TEST(SessionResection, CutsAWholeBone) {
+  HipParameters cam = hip_preset("cam");
+  cam.shaft_length = 200.0;
+  Session session = scanned_hip(cam, 6000);
+  ASSERT_TRUE(session.joint->joint.ball.taken.has_value());
+  const ResectAnswer found = answer(session, asked("flexion=90,internal_rotation=35"));
+  EXPECT_LT(found.legs.back().before.low_deg, 35.0);
+  EXPECT_EQ(found.depth.size(), found.mesh.vertices.size());
+  EXPECT_GT(found.mesh.vertices.size(), session.joint->joint.ball.mesh.vertices.size() - 200);
+  EXPECT_TRUE(boundary_edges(found.mesh).empty());
+  const TurnLimits after({found.mesh, session.joint->joint.socket.mesh});
+  for (const ResectLeg& leg : found.legs)
+    EXPECT_EQ(after.first_contact(leg.turn, leg.largest_deg).state, LimitState::free) << describe(leg);
 }
 
 // Landmarks turn the ball back from where it was scanned; the cut goes along rays of the scan.
