@@ -46,6 +46,7 @@ std::optional<DistancesDocument> GapsAnswer::euclidean_distance() const {
   for (const SurfaceAnswer* of : {&ball, &socket}) {
     for (std::size_t i = 0; i < of->gap.size(); ++i) {
       const DistanceBracket& distance = of->distance[i];
+      if (std::isnan(distance.upper_mm)) continue;  // a vertex of no face
       lower = std::min(lower, distance.lower_mm);
       upper = std::min(upper, distance.upper_mm);
       const double bound = of->bound.empty() ? 0.0 : of->bound[i];

@@ -13,6 +13,7 @@
 #include "gap/measured_gap.hpp"
 #include "gap/overlay.hpp"
 #include "joint/pose_answer.hpp"
+#include "mesh/surface_vertices.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge {
@@ -148,8 +149,11 @@ GapsAnswer by_faces(SessionJoint& joint, const GapsRequest& asked) {
 void measure_distances(const SessionJoint& joint, GapsAnswer& result) {
   on_threads(kSurfaces.size(), [&](std::size_t k) {
     const Surface of = kSurfaces[k];
-    result.of(of).distance =
-        EuclideanDistance(joint.mesh(other(of))).at(places_in_other(joint, result.pose, of));
+    std::vector<DistanceBracket>& distance = result.of(of).distance;
+    distance = EuclideanDistance(joint.mesh(other(of))).at(places_in_other(joint, result.pose, of));
+    const std::vector<bool> on = on_surface(joint.mesh(of));
+    for (std::size_t v = 0; v < on.size(); ++v)
+      if (!on[v]) distance[v] = {kNoSurface, kNoSurface};
   });
 }
 
@@ -173,7 +177,6 @@ GapsAnswer measure_main(Session& session, const GapsRequest& asked) {
 GapsAnswer measure_with_parts(Session& session, const GapsRequest& asked) {
   SessionJoint& joint = *session.joint;
   Session alone(without_parts(joint.joint), joint.side, joint.joint.axes);
-  alone.joint->shift_to(joint.shift);  // about the same centre
   alone.tables.settings = session.tables.settings;
   GapsAnswer result = measure_main(alone, asked);
   for (const Surface of : kSurfaces) {
@@ -203,6 +206,7 @@ void say_what_is_left_out(const Joint& joint, const GapsRequest& asked, std::vec
 
 GapsAnswer answer(Session& session, const GapsRequest& request) {
   request.check();
+  shift_ball(session, Vec3::Zero());
   SessionJoint& joint = *session.joint;
   GapsAnswer result =
       joint.joint.has_parts() ? measure_with_parts(session, request) : measure_main(session, request);

@@ -38,7 +38,8 @@ std::optional<NearestFree> nearest_free(const SessionJoint& joint, const Orienta
   if (!free) return std::nullopt;
   NearestFree found{*free, std::nullopt, 0.0};
   found.at_least_deg =
-      nearest_orientation(cells, question.at_rest, {CellState::free, CellState::open})->turn_deg;
+      nearest_orientation(cells, question.at_rest, {CellState::free, CellState::unknown, CellState::open})
+          ->turn_deg;
   if (free->turn_deg > 0.0)
     found.axis =
         joint.axes.transpose() * Eigen::AngleAxisd(cup_rotation(free->angles, question.side) *

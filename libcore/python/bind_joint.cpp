@@ -13,11 +13,11 @@
 namespace impinge::python {
 namespace {
 
-// Read access to one of the two surfaces.
+// Read access to one of the two surfaces as it was put together, which no shift of the ball replaces.
 struct SurfaceView {
   SharedJoint joint;
   Surface of;
-  const TriangleMesh& mesh() const { return joint->joint().mesh(of); }
+  const TriangleMesh& mesh() const { return joint->joint().bone(of).mesh; }
 };
 
 void bind_surface(py::module_& module) {
@@ -35,11 +35,7 @@ void bind_surface(py::module_& module) {
           },
           "Shape (m, 3), places of the corners, as the mesh has them.")
       .def_property_readonly(
-          "areas",
-          [](const py::object& self) {
-            const auto& view = self.cast<const SurfaceView&>();
-            return array_of<double>(view.joint->joint().part(view.of).area, self);
-          },
+          "areas", [](const SurfaceView& view) { return array_of<double>(vertex_areas(view.mesh())); },
           "Shape (n,), mm^2 of the surface that belong to each vertex.")
       .def_property_readonly(
           "clock",

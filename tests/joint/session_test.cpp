@@ -88,6 +88,23 @@ TEST(Session, AShiftIsOfOneQuestion) {
   fill_tables(session, {.scheme = "cube_gnomonic", .precision_deg = 4.0});
   answer_pose(session, {{}, shift, 4.0});
   EXPECT_EQ(answer(session, TouchRequest()).smallest_gap->gap_mm, gap);
+  answer_pose(session, {{}, shift, 4.0});
+  EXPECT_NEAR(answer(session, GapsRequest()).smallest_gap->gap_mm, gap, 1e-9);
+}
+
+// A vertex of no face that lies on the socket says nothing of the distance between the bones.
+TEST(Session, DistancesAreThoseOfSurfaces) {
+  Session session = session_with_strays();
+  const auto smallest = [](Session& of) {
+    GapsRequest request;
+    request.outputs = {Output::distances};
+    return answer(of, request).euclidean_distance()->smallest_between_mm;
+  };
+  Joint joint = session.joint->joint;
+  joint.ball.mesh.vertices.push_back(joint.socket.mesh.vertices.front());
+  Session more(std::move(joint), std::nullopt, "ALS");
+  EXPECT_GT(smallest(session)[0], 0.1);
+  EXPECT_EQ(smallest(more), smallest(session));
 }
 
 }  // namespace

@@ -79,3 +79,13 @@ def test_measures_are_those_of_the_parameters():
     made = impinge.hip_parameters("cam")
     assert by_name["head_radius"] == pytest.approx(made["head_radius"], abs=0.05)
     assert by_name["neck_shaft_angle"] == pytest.approx(made["neck_shaft_angle"], abs=0.5)
+
+
+def test_a_shift_leaves_views_of_the_socket_as_they_are():
+    joint = impinge.Joint.from_hip("normal", faces=900, side="right")
+    views = [joint.socket.vertices, joint.socket.faces, joint.socket.areas]
+    before = [view.copy() for view in views]
+    joint.limits("flexion", translation=[0, 0, 1])
+    again = [joint.socket.vertices, joint.socket.faces, joint.socket.areas]
+    for view, then, now in zip(views, before, again):
+        assert np.array_equal(view, then) and np.array_equal(now, then)
