@@ -21,6 +21,7 @@
 #include "mesh/meeting_faces.hpp"
 #include "mesh/surface_vertices.hpp"
 #include "mesh/triangle_distance.hpp"
+#include "mesh/weld.hpp"
 #include "sphere/plane_side.hpp"
 
 namespace impinge {
@@ -110,17 +111,21 @@ void add_box(const Opening& opening, TriangleMesh& mesh) {
   }
 }
 
-// The mesh without faces that repeat another one.
-TriangleMesh once(TriangleMesh mesh) {
-  std::set<Face> seen;
-  std::erase_if(mesh.faces, [&](Face face) {
-    std::ranges::sort(face);
-    return !seen.insert(face).second;
-  });
-  return mesh;
+// Where points of one body lie in the frame of the other, in the middle of the poses.
+auto in_socket(const NearPoses& poses) {
+  return [&poses](const Vec3& x) -> Vec3 { return poses.rotation * x + poses.offset; };
+}
+auto in_ball(const NearPoses& poses) {
+  return [&poses](const Vec3& y) -> Vec3 { return poses.rotation.transpose() * (y - poses.offset); };
 }
 
 }  // namespace
+
+double Opening::beside(const Triangle& x) const {
+  Eigen::AlignedBox3d of;
+  for (const Vec3& corner : x) of.extend((axes * corner).eval());
+  return (of.min() - box.max()).cwiseMax(box.min() - of.max()).maxCoeff();
+}
 
 // 1 if the normals point out of the bone: a ball's away from the centre, a socket's towards it. Else -1.
 static int winding(const TriangleMesh& mesh, bool ball) {
@@ -133,7 +138,7 @@ static int winding(const TriangleMesh& mesh, bool ball) {
 }
 
 BodyPairs::Body::Body(const TriangleMesh& of, bool turns, Is what) {
-  const TriangleMesh each = once(of);
+  const TriangleMesh each = without_repeats(of);
   const TriangleMesh mesh = without_flat_faces(each);
   turn = TurnBody(mesh);
   if (turns)
@@ -242,24 +247,45 @@ Contact BodyPairs::Body::encloses(const Vec3& x) const {
   return inside ? Contact::yes : Contact::no;
 }
 
-// Is a point of the other body inside? The two surfaces must not meet. place(x) is where a point x of the
-// other body lies in this one's frame; it may be up to `reach` mm away from there.
+// Is one point of each piece of the other body inside? place(x) is where a point x of the other body lies in
+// this one's frame; with a reach, poses are asked about in which it is elsewhere. The surfaces must not meet.
+// What comes through the mouth of a socket that is a sheet comes to its hollow, not into bone.
 template <class Place>
-Contact BodyPairs::Body::holds_of(const Body& other, double reach, const Place& place) const {
+Contact BodyPairs::Body::holds_pieces(const Body& other, const Reach& reach, const Place& place) const {
   Contact found = Contact::no;
+  for (const Vec3& x : other.pieces) {
+    const Vec3 at = place(x);
+    const double near = reach.at(x.norm()) * (1.0 + kNodeRounding);
+    Contact one = holds(at);
+    if (one == Contact::no && near > 0.0 && (moved || !sheet) &&
+        std::ranges::any_of(openings, [&](const Opening& opening) { return opening.distance(at) <= near; }))
+      one = Contact::unknown;
+    if (one == Contact::yes || found == Contact::no) found = one;
+  }
+  return found;
+}
+
+// Is any point of it? Of a sheet only holds_pieces().
+template <class Place>
+Contact BodyPairs::Body::holds_of(const Body& other, const Reach& reach, const Place& place) const {
+  Contact found = holds_pieces(other, reach, place);
+  if (found == Contact::yes || sheet || openings.empty()) return found;
+  const bool enters = other.faces().any_node([&](const SweptParts::Node& node) {
+    const Vec3 centre = place(node.centre);
+    const double way = reach.at(node.farthest) + kNodeRounding * (centre.norm() + node.radius);
+    return std::ranges::any_of(openings, [&](const Opening& at) {
+      if (at.distance(centre) > node.radius + way) return false;
+      if (!node.leaf) return true;
+      const auto& [a, b, c] = other.faces().parts()[node.at].corner;
+      return at.beside({place(a), place(b), place(c)}) <= way;
+    });
+  });
+  if (!enters) return found;
+  if (reach.at(1.0) > 0.0) return Contact::unknown;
   const auto ask = [&](const Vec3& x) {
     const Contact one = holds(place(x));
     if (one == Contact::yes || found == Contact::no) found = one;
   };
-  for (const Vec3& x : other.pieces) ask(x);
-  if (found == Contact::yes || sheet || openings.empty()) return found;
-  const bool enters = other.faces().any_node([&](const SweptParts::Node& node) {
-    const Vec3 centre = place(node.centre);
-    const double near = node.radius + reach + kNodeRounding * (centre.norm() + node.radius);
-    return std::ranges::any_of(openings, [&](const Opening& at) { return at.distance(centre) <= near; });
-  });
-  if (!enters) return found;
-  if (reach > 0.0) return Contact::unknown;
   for (std::size_t f = 0; f < other.turn.first_corner.size() && found != Contact::yes; ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (other.turn.first_corner[f][k]) ask(other.faces().parts()[f].corner[k]);
@@ -364,16 +390,19 @@ BodyPairs::Verdict BodyPairs::beside_radii(const Pair& pair, const Pose& pose) c
     if (one.contact != Contact::no) found = one;
     return one.contact == Contact::yes;
   });
-  return found;
+  if (found.contact == Contact::yes || !is_open_bone(*ball_[0])) return found;
+  const Contact in_ball =
+      ball_[0]->holds_pieces(*socket_[0], {}, [&](const Vec3& y) -> Vec3 { return to_ball(pose, y); });
+  return in_ball == Contact::no ? found : Verdict{in_ball, ContactRule::inside, pair, false};
 }
 
 BodyPairs::Verdict BodyPairs::verdict(const Body& ball, const Body& socket, const Pair& pair,
                                       const Pose& pose) {
   if (surfaces_meet(*ball.moved, *socket.fixed, pose)) return {Contact::yes, ContactRule::surfaces, pair};
   const Contact in_socket =
-      socket.holds_of(ball, 0.0, [&](const Vec3& x) -> Vec3 { return to_socket(pose, x); });
+      socket.holds_of(ball, {}, [&](const Vec3& x) -> Vec3 { return to_socket(pose, x); });
   if (in_socket == Contact::yes) return {Contact::yes, ContactRule::inside, pair, socket.openings.empty()};
-  const Contact in_ball = ball.holds_of(socket, 0.0, [&](const Vec3& y) -> Vec3 { return to_ball(pose, y); });
+  const Contact in_ball = ball.holds_of(socket, {}, [&](const Vec3& y) -> Vec3 { return to_ball(pose, y); });
   return {in_ball == Contact::no ? in_socket : in_ball, ContactRule::inside, pair, ball.openings.empty()};
 }
 
@@ -447,16 +476,22 @@ std::optional<BodyPairs::Nearest> BodyPairs::nearest_part(const Pose& pose) cons
 
 // If the surfaces meet in none of these poses: may a point of one be inside the other in one of them?
 bool BodyPairs::may_hold(const Body& ball, const Body& socket, const NearPoses& poses) {
-  const auto farthest = [&](const Body& body) {
-    const double way = body.faces().empty() ? 0.0 : body.faces().nodes()[0].farthest;
-    return 2.0 * way * std::sin(0.5 * std::min(poses.turn, kPi)) * (1.0 + kNodeRounding) + poses.shift_mm;
-  };
-  const Eigen::Matrix3d& r = poses.rotation;
-  const auto out = [&](const Vec3& x) -> Vec3 { return r * x + poses.offset; };
-  const auto back = [&](const Vec3& y) -> Vec3 { return r.transpose() * (y - poses.offset); };
-  return socket.holds_of(ball, farthest(ball), out) != Contact::no ||
-         ball.holds_of(socket, farthest(socket), back) != Contact::no;
+  return socket.holds_of(ball, Reach(poses), in_socket(poses)) != Contact::no ||
+         ball.holds_of(socket, Reach(poses), in_ball(poses)) != Contact::no;
 }
+
+// Where radii of the main bones are clear: may one have come into the other through an opening? Of a socket
+// that is a sheet one point of each piece is asked about.
+bool BodyPairs::may_have_come_in(const NearPoses& poses) const {
+  const Body& ball = *ball_[0];
+  const Body& socket = *socket_[0];
+  if (!radial_) return (!ball.openings.empty() || !socket.openings.empty()) && may_hold(ball, socket, poses);
+  return is_open_bone(ball) && ball.holds_pieces(socket, Reach(poses), in_ball(poses)) != Contact::no;
+}
+
+BodyPairs::Reach::Reach(const NearPoses& poses)
+    : turn(2.0 * std::sin(0.5 * std::min(poses.turn, kPi)) * (1.0 + kNodeRounding)),
+      shift(poses.shift_mm + turn * poses.offset.norm()) {}
 
 // Two bodies that are asked about. `left` has the pair's place; edge-on faces that radii leave open have
 // none.
@@ -507,6 +542,7 @@ BodyPairs::Left BodyPairs::left(const NearPoses& poses, bool by_radii) const {
 
 std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses, bool by_radii,
                                                    const Left& left) const {
+  if (by_radii && main_only_ && may_have_come_in(poses)) return Pair{};
   return first_that(poses, by_radii, left, [&](const Asking& asking) {
     return asking.near.may_meet(asking.faces) || may_hold(asking.ball, asking.socket, poses);
   });
@@ -514,6 +550,7 @@ std::optional<BodyPairs::Pair> BodyPairs::may_meet(const NearPoses& poses, bool 
 
 bool BodyPairs::each_close(const NearPoses& poses, bool by_radii, const TakeClose& take,
                            const Left& left) const {
+  if (by_radii && main_only_ && may_have_come_in(poses)) return false;
   return !first_that(poses, by_radii, left, [&](const Asking& asking) {
     return !asking.near.each_close(asking.faces, take) || may_hold(asking.ball, asking.socket, poses);
   });

@@ -19,8 +19,8 @@
 //                    often than inwards; in the hollow of an acetabulum none does. Of any other sheet, such
 //                    as cartilage round the head, inside is not known. A single pose in which radii overlap
 //                    (gap/overlay.hpp) counts as contact if the socket is a sheet, and the answer says so.
-//                    Without it only edge-on faces, which radii know nothing of, can be in contact. A turn
-//                    only asks where its surface is met.
+//                    Without it only edge-on faces, which radii know nothing of, can be in contact, and
+//                    what comes into a ball through an opening. A turn only asks where its surface is met.
 //   surfaces alone   that were cut out of their bones have no inside: they are in contact where they meet.
 #pragma once
 
@@ -62,6 +62,8 @@ struct Opening {
   Eigen::Matrix3d axes;  // rotation to the frame of the box; the border spreads least along its first axis
   Eigen::AlignedBox3d box;
   double distance(const Vec3& x) const { return box.exteriorDistance((axes * x).eval()); }
+  /// How far a triangle is beside the box along one of its axes, mm; below 0 if it is not.
+  double beside(const Triangle& x) const;
 };
 
 /// The bodies of a joint. Meshes in one frame, mm. Several threads may ask at the same time.
@@ -89,6 +91,8 @@ class BodyPairs {
   bool has_radial() const { return radial_ != nullptr; }
   /// The main surfaces if they do; null if they do not. Made when it is first asked for, which takes a while.
   const CulledJoint* radial() const { return radial_ ? &radial_->joint() : nullptr; }
+  /// The faces of a side's bone, without faces of no area and each once.
+  const SweptParts& bone(Surface of) const { return (of == Surface::ball ? ball_ : socket_)[0]->faces(); }
   /// Is no body open?
   bool closed() const;
   /// Two bodies, not both main surfaces alone, of neither of which it is known what is inside: that they are
@@ -150,6 +154,14 @@ class BodyPairs {
                       double largest) const;
 
  private:
+  /// How far a point may be from where it lies, mm.
+  struct Reach {
+    Reach() = default;
+    explicit Reach(const NearPoses& poses);
+    double turn = 0.0;  // share of its distance from the centre
+    double shift = 0.0;
+    double at(double distance) const { return turn * distance + shift; }
+  };
   struct Body {
     enum class Is : std::uint8_t { main, whole, part, surface };
     Body(const TriangleMesh& of, bool turns, Is what);
@@ -170,7 +182,9 @@ class BodyPairs {
     Contact holds(const Vec3& x) const;
     Contact encloses(const Vec3& x) const;
     template <class Place>
-    Contact holds_of(const Body& other, double reach, const Place& place) const;
+    Contact holds_pieces(const Body& other, const Reach& reach, const Place& place) const;
+    template <class Place>
+    Contact holds_of(const Body& other, const Reach& reach, const Place& place) const;
     const SweptParts& faces() const { return turn.faces; }
     std::optional<int> crossings(const Vec3& from, const Vec3& to) const;
     void find_openings(const TriangleMesh& all);
@@ -204,7 +218,9 @@ class BodyPairs {
   }
   template <class Ask>
   Verdict first_of(const Ask& ask) const;
+  static bool is_open_bone(const Body& body) { return !body.openings.empty() && !body.sheet; }
   static bool may_hold(const Body& ball, const Body& socket, const NearPoses& poses);
+  bool may_have_come_in(const NearPoses& poses) const;
   struct Asking;
   template <class Meet>
   std::optional<Pair> first_that(const NearPoses& poses, bool by_radii, const Left& left,

@@ -55,6 +55,8 @@ class CentreIntervals {
   /// bodies. All must outlive this.
   CentreIntervals(const CulledJoint& joint, const SweptParts& ball, const SweptParts& socket,
                   const CentreQuestion& question, const BodyPairs& bodies);
+  CentreIntervals(CulledJoint&&, const SweptParts&, const SweptParts&, const CentreQuestion&,
+                  const BodyPairs&) = delete;
 
   const CentreQuestion& question() const { return question_; }  // as it was asked
 

@@ -154,10 +154,10 @@ struct Frames {
   Eigen::Matrix3d socket;
 };
 
-double tolerance_of(const TurnScene& scene) {
+double tolerance_of(const SweptParts& ball, const SweptParts& socket) {
   double farthest = 0.0;
-  for (const TurnBody* body : {&scene.ball, &scene.socket}) {
-    if (!body->faces.empty()) farthest = std::max(farthest, body->faces.nodes()[0].farthest);
+  for (const SweptParts* faces : {&ball, &socket}) {
+    if (!faces->empty()) farthest = std::max(farthest, faces->nodes()[0].farthest);
   }
   return kTolerance * farthest;
 }
@@ -203,9 +203,9 @@ TurnBody::TurnBody(const TriangleMesh& mesh)
 
 std::optional<TurnContact> first_contact(const TurnScene& scene, const AngleSpan& angles) {
   const Frames frames(scene.turn);
-  const double tolerance = tolerance_of(scene);
   const SweptParts& ball = scene.ball.faces;
   const SweptParts& socket = scene.socket.faces;
+  const double tolerance = tolerance_of(ball, socket);
   Found found{{angles, tolerance}, {}};
   visit_meetings(
       {ball, frames.ball, socket, frames.socket}, angles.from, angles.to,
@@ -233,24 +233,25 @@ TurnGap::TurnGap(const BallSocketPair& meshes, double gap)
   socket_walls = SweptParts(walls_beyond(meshes.socket, jump_edges(meshes.socket), farthest + gap));
 }
 
-std::optional<TurnContact> first_gap(const TurnScene& scene, const TurnGap& gap, const AngleSpan& angles) {
-  const Frames frames(scene.turn);
-  const double tolerance = tolerance_of(scene);
+std::optional<TurnContact> first_gap(const SweptParts& ball, const SweptParts& socket, const JointTurn& turn,
+                                     const TurnGap& gap, const AngleSpan& angles) {
+  const Frames frames(turn);
+  const double tolerance = tolerance_of(ball, socket);
   const auto within = [&](double) { return kWithin * tolerance; };
   Found found{{angles, tolerance}, {}};
-  for (const SweptParts* socket : {&scene.socket.faces, &gap.socket_walls}) {
-    visit_meetings({gap.ball_points, frames.ball, *socket, frames.socket}, angles.from, found.search.first(),
+  for (const SweptParts* faces : {&socket, &gap.socket_walls}) {
+    visit_meetings({gap.ball_points, frames.ball, *faces, frames.socket}, angles.from, found.search.first(),
                    within, [&](std::uint32_t a, std::uint32_t b) {
                      try_ball_point(face_in(frames.ball, gap.ball_points, a).corner[0],
-                                    face_in(frames.socket, *socket, b), found);
+                                    face_in(frames.socket, *faces, b), found);
                      return found.search.first();
                    });
   }
-  for (const SweptParts* ball : {&scene.ball.faces, &gap.ball_walls}) {
-    visit_meetings({*ball, frames.ball, gap.socket_points, frames.socket}, angles.from, found.search.first(),
+  for (const SweptParts* faces : {&ball, &gap.ball_walls}) {
+    visit_meetings({*faces, frames.ball, gap.socket_points, frames.socket}, angles.from, found.search.first(),
                    within, [&](std::uint32_t a, std::uint32_t b) {
                      try_socket_point(face_in(frames.socket, gap.socket_points, b).corner[0],
-                                      face_in(frames.ball, *ball, a), found);
+                                      face_in(frames.ball, *faces, a), found);
                      return found.search.first();
                    });
   }

@@ -77,7 +77,8 @@ struct TurnGap {
 };
 
 /// The first of these angles at which a vertex of either surface has that gap or less. At angles.from no
-/// vertex may have it.
-std::optional<TurnContact> first_gap(const TurnScene& scene, const TurnGap& gap, const AngleSpan& angles);
+/// vertex may have it. Takes the faces of both meshes.
+std::optional<TurnContact> first_gap(const SweptParts& ball, const SweptParts& socket, const JointTurn& turn,
+                                     const TurnGap& gap, const AngleSpan& angles);
 
 }  // namespace impinge

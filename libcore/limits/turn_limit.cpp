@@ -10,6 +10,7 @@
 
 #include "limits/mesh_end.hpp"
 #include "mesh/surface_vertices.hpp"
+#include "mesh/weld.hpp"
 
 namespace impinge {
 namespace {
@@ -26,23 +27,37 @@ Pose pose_at(const JointTurn& turn, double angle) {
   return {turn.outer * Eigen::AngleAxisd(angle, turn.axis).toRotationMatrix() * turn.inner, Vec3::Zero()};
 }
 
+bool are_faces_of(const SweptParts& parts, const TriangleMesh& mesh) {
+  const std::vector<TurnFace>& all = parts.parts();
+  return std::equal(
+      all.begin(), all.end(), mesh.faces.begin(), mesh.faces.end(),
+      [&](const TurnFace& part, const Face& face) { return part.corner == corners_of(mesh, face); });
+}
+
+// The faces of a main surface: those of its bone, if it has no others, or else `own`, which it makes.
+const SweptParts& faces_of(const BodyPairs& bodies, Surface of, const TriangleMesh& main, SweptParts& own) {
+  const SweptParts& all = bodies.bone(of);
+  return are_faces_of(all, main) ? all : own = SweptParts(turn_faces(main));
+}
+
 }  // namespace
 
 TurnLimits::Answers::Answers(BallSocketPair joint, const BoneParts& beside)
     : bodies(joint, beside),
       meshes{without_edge_on(std::move(joint.ball)), without_edge_on(std::move(joint.socket))},
-      ends(bodies.ball_ends() ? boundary_edges(meshes.ball) : std::vector<Edge>{}),
+      ends(bodies.ball_ends() ? boundary_edges(without_repeats(meshes.ball)) : std::vector<Edge>{}),
       seen(surface_vertices(meshes.socket)),
-      ball(meshes.ball),
-      socket(meshes.socket) {}
+      ball(faces_of(bodies, Surface::ball, meshes.ball, own[0])),
+      socket(faces_of(bodies, Surface::socket, meshes.socket, own[1])) {}
 
 TurnLimits::Answers::Answers(CutSurfaces surfaces)
     : bodies(BodyPairs::of_surfaces(surfaces.met)),
       meshes{without_edge_on(std::move(surfaces.main.ball)),
              without_edge_on(std::move(surfaces.main.socket))},
       seen(surface_vertices(meshes.socket)),
-      ball(meshes.ball),
-      socket(meshes.socket) {
+      ball(faces_of(bodies, Surface::ball, meshes.ball, own[0])),
+      socket(faces_of(bodies, Surface::socket, meshes.socket, own[1])) {
+  surfaces.uncut = without_repeats(std::move(surfaces.uncut));
   if (boundary_edges(surfaces.uncut).empty()) return;
   uncut = without_edge_on(std::move(surfaces.uncut));
   ends = boundary_edges(uncut);
@@ -182,7 +197,7 @@ TurnLimit TurnLimits::gap_of(const JointTurn& turn, double gap_mm, double larges
   return bracket(
       turn, largest_deg,
       [&](AngleSpan span) {
-        const auto vertex = first_gap({answers_->ball, answers_->socket, turn}, asked, span);
+        const auto vertex = first_gap(answers_->ball, answers_->socket, turn, asked, span);
         if (vertex) span.to = vertex->angle;
         const auto contact = answers_->bodies.first_contact(turn, span);
         return contact ? contact : vertex;
@@ -198,7 +213,7 @@ const CentreIntervals& TurnLimits::intervals(const CentreQuestion& question) con
   const std::lock_guard lock(answers_->making);
   const std::array key{static_cast<double>(question.doubt), question.within_mm, question.gap_mm};
   return answers_->intervals
-      .try_emplace(key, vertices, answers_->ball.faces, answers_->socket.faces, question, answers_->bodies)
+      .try_emplace(key, vertices, answers_->ball, answers_->socket, question, answers_->bodies)
       .first->second;
 }
 

@@ -126,8 +126,9 @@ class TurnLimits {
     BallSocketPair meshes;          // the main surfaces, without their edge-on faces
     std::vector<Edge> ends;         // border of the ball's mesh, where its bone is not closed
     std::vector<VertexIndex> seen;  // vertices of the socket that have a face
-    TurnBody ball;                  // the main surfaces
-    TurnBody socket;
+    std::array<SweptParts, 2> own;  // faces of the main surfaces, where no body has just these
+    const SweptParts& ball;         // faces of the main surfaces
+    const SweptParts& socket;
     TriangleMesh uncut;              // of cut surfaces: the ball's main surface, if its mesh ends
     std::optional<NearFaces> whole;  // the faces of `uncut`
     std::mutex making;               // guards the following, which are made when they are first asked for

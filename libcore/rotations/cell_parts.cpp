@@ -98,7 +98,7 @@ std::optional<FormOverCell> CellSearch::block_form(const Parted& at, Surface of,
     DirectionPolygon polygon(
         std::array<Vec3, 3>{axis - 2.0 * (a + b), axis + 4.0 * a - 2.0 * b, axis + 4.0 * b - 2.0 * a});
     polygon.clip(-inward, -kSideSlack);
-    return !inward.isZero(0.0) && take(polygon);
+    return take(polygon);  // all of the cap where the side has no plane
   };
   const SeenSurface& met = test_.surface(other(of));
   if (!met.covers(reach.cap, reach.face, memory_, keeps, ends)) return std::nullopt;
@@ -391,14 +391,14 @@ bool CellSearch::keep_covered(Parted& at) const {
       best = form;
     };
     for (const Vec3& n : face.inward)
-      if (cut > 0.0 && !n.isZero(0.0)) attempt(n);
+      if (cut > 0.0) attempt(n);
     for (const Vec3& y : face.corner) {  // across the way from the corner to the hole
       const Vec3 n = (h.dot(y) * y - h).stableNormalized();
       const bool faces_it =
           std::ranges::all_of(face.corner, [&](const Vec3& z) { return n.dot(z) >= -kSideSlack; });
       if (cut > 0.0 && faces_it) attempt(n);
     }
-    return !(cut < HUGE_VAL) || !at.keep(best);
+    return !at.keep(best);
   });
 }
 
@@ -426,9 +426,9 @@ bool CellSearch::keep_bodies_apart(Parted& at, const NearPoses& poses, bool by_r
       best = forms;
     }
     if (cut == 0.0) return true;
-    return cut < HUGE_VAL &&
-           std::ranges::all_of(best, [&](const FormOverCell& form) { return at.keep(form); }) &&
-           at.left.share(at.frame) >= at.enough;
+    if (!(cut < HUGE_VAL)) return false;
+    for (const FormOverCell& form : best) at.keep(form);
+    return at.left.share(at.frame) >= at.enough;
   };
   return test_.bodies_.each_close(poses, by_radii, take, left_of(&cell));
 }

@@ -89,12 +89,12 @@ bool CellSearch::any_hole(const Asked& asked, const Found& found) const {
   const MeshHoles& holes = test_.side(Surface::ball).holes;
   const SeenSurface& socket = test_.surface(Surface::socket);
   if (holes.tree.blocks().empty()) return false;
-  const double turn = asked.angle.radius + asked.aside;
+  const double turn = asked.hole + asked.aside;
   const auto meet = [&](std::uint32_t hole, std::uint32_t f) {
     const DirectionCap& cap = holes.caps[hole];
     DirectionFace room;
     const DirectionFace& face = seen_face(asked, f, room);
-    return near(face, {asked.rotation * cap.axis, cap.radius + asked.angle.radius}) && found(cap, face);
+    return near(face, {asked.rotation * cap.axis, cap.radius + asked.hole}) && found(cap, face);
   };
   const auto visit = [&](const auto& self, std::uint32_t hole, std::size_t lane, std::uint32_t at) -> bool {
     const CapBlock& of = holes.tree.blocks()[hole];

@@ -319,7 +319,7 @@ bool CellSearch::may_leave(const Asked& asked) const {
 bool CellSearch::leaves(const Asked& asked) {
   const CellTest::Side& ball = test_.side(Surface::ball);
   const CellTest::Side& socket = test_.side(Surface::socket);
-  const double turn = asked.angle.radius + kTurnSlack;
+  const double turn = asked.hole + kTurnSlack;
   const bool exact = test_.question_.centre_within_mm == 0.0;
   return std::ranges::any_of(
              ball.holes.empty,
@@ -341,8 +341,10 @@ bool CellSearch::leaves(const Asked& asked) {
 CellSearch::Asked CellSearch::asked_of(const NearPoses& poses, const RotationBall& rotations) const {
   const double shift = poses.shift_mm;
   const double r = test_.question_.centre_within_mm;
-  const double doubt =
-      r == 0.0 ? 0.0 : std::asin(shift / test_.least_ball_) + std::asin(r / test_.least_socket_);
+  const double ball = test_.least_ball_;
+  const double socket = test_.least_socket_;
+  const double doubt = r == 0.0 ? 0.0 : std::asin(shift / ball) + std::asin(r / socket);
+  const double hole = r == 0.0 ? 0.0 : std::asin(shift / socket) + std::asin(r / ball);
   const double away = poses.offset.norm();
   return {rotations.rotation,
           rotations.rotation.transpose(),
@@ -350,7 +352,8 @@ CellSearch::Asked CellSearch::asked_of(const NearPoses& poses, const RotationBal
           CapAngle(rotations.radius + doubt + kTurnSlack),
           rotations.radius,
           poses.offset,
-          away == 0.0 ? 0.0 : std::asin(away / test_.least_socket_) + kTurnSlack};
+          away == 0.0 ? 0.0 : std::asin(away / socket) + kTurnSlack,
+          rotations.radius + hole + kTurnSlack};
 }
 
 void CellSearch::enter(const RotationCell& parent) {

@@ -156,6 +156,7 @@ class CellSearch {
     double turn;     // rho, radians
     Vec3 offset;     // mm, a shift of the ball that all of them have
     double aside;    // radians, by which that may change the direction of a point of the socket
+    double hole;     // rho + asin(sigma / least radius of the socket) + asin(eta / least radius of the ball)
   };
   /// A face of the socket in the ball's frame, as the ball's centre sees it.
   struct PosedFace {

@@ -109,7 +109,7 @@ ShiftSteps steps_of(const Vec3& shift, double play_mm) {
 
 // A cell of rotations and all shifts.
 struct CellSearch::Playing {
-  // What one contact says of the shifts: half-spaces across a unit normal, `least` in mm.
+  // What one contact says of the shifts: half-spaces across a unit normal, or zero, in mm.
   struct Bound {
     Vec3 normal;
     double blocked;   // they touch in all of the rotations; infinite if none are known to
@@ -351,7 +351,7 @@ void CellSearch::Playing::find_points(const NearPoses& poses) {
   for (const auto& [x, y, reach] : test.bodies_.deepest(poses, search.by_radii(), kKept)) {
     const Vec3 c = y + poses.offset - r * x;
     const double length = c.norm();
-    if (!(length > 0.0)) continue;
+    const Vec3 n = c.stableNormalized();  // zero if c is: then all shifts are alike
     const double turned = 2.0 * std::sin(0.5 * poses.turn) * x.norm();
     const double left =
         (reach - turned) * (1.0 - CellTest::kTolerance) - CellTest::kTolerance * (x.norm() + play);
@@ -359,8 +359,8 @@ void CellSearch::Playing::find_points(const NearPoses& poses) {
       return within >= play + length ? -2.0 * play
                                      : 0.5 * (play * play + length * length - within * within) / length;
     };
-    bounds.push_back({c / length, left > 0.0 ? least(left) : HUGE_VAL, least(reach),
-                      rotations.radius * (r * x).cross(c).norm() / length});
+    bounds.push_back(
+        {n, left > 0.0 ? least(left) : HUGE_VAL, least(reach), rotations.radius * (r * x).cross(n).norm()});
   }
 }
 

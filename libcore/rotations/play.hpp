@@ -22,7 +22,7 @@ namespace impinge {
 
 /// A half-space of shifts d of the ball, mm: those with normal . d >= least, in the socket's frame.
 struct ShiftHalfSpace {
-  Vec3 normal;  // unit
+  Vec3 normal;  // unit; or zero, where all shifts are alike
   double least;
 };
 

@@ -13,8 +13,9 @@
 namespace impinge {
 namespace {
 
-// Radians. Cells are decided for rotations up to 1e-9 rad beyond them, so that a gap as narrow as this
-// between neighbouring cells, which only rounding makes, counts as free.
+// Radians. A gap as narrow as this between neighbouring cells, which only rounding makes, counts as free:
+// whole cells are decided for rotations up to 1e-9 rad beyond them. The ends, which may be those of parts,
+// are moved in by as much.
 constexpr double kJoined = 1e-10;
 
 Quaternion4 quaternion(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
@@ -108,9 +109,10 @@ VolumeLimit MotionVolume::limit(const JointTurn& turn, double largest_deg) const
     if (at.cell.state == CellState::free && at.angles.low <= free + kJoined)
       free = std::max(free, at.angles.high);
     if (at.cell.state == CellState::blocked && !found.high_deg)
-      found.high_deg = std::min(2.0 * std::max(at.angles.low, 0.0) / kDegree, largest_deg);
+      found.high_deg =
+          at.angles.low > 0.0 ? std::min(2.0 * (at.angles.low + 2.0 * kJoined) / kDegree, largest_deg) : 0.0;
   }
-  found.low_deg = free < largest ? 2.0 * free / kDegree : largest_deg;
+  found.low_deg = free < largest ? 2.0 * std::max(0.0, free - kJoined) / kDegree : largest_deg;
   // The finest cell there, but for one that the way leaves there by a part that is free.
   const Quaternion4 q = std::cos(free) * way.from + std::sin(free) * way.across;
   const auto rank = [&](const VolumeCell& cell) {

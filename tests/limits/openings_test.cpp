@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "limits/mesh_end.hpp"
+#include "limits/near_poses.hpp"
 #include "limits/turn_limit.hpp"
 #include "limits/turn_oracle.hpp"
 #include "mesh/bodies.hpp"
@@ -293,6 +294,68 @@ TEST(MeshEnd, IsWhereTheCoverOfADirectionEnds) {
   }
   EXPECT_GT(ended, cases / 4);
   EXPECT_LT(ended, cases * 3 / 4);
+}
+
+// A speck of a sheet in a flask of the ball, and radii that are clear: seen from the centre the flask is
+// before the speck.
+TEST(Openings, LetASheetIntoTheBall) {
+  const TriangleMesh bottle =
+      test::moved(test::opened(icosphere(8.0, 4), -Vec3::UnitZ(), 0.35), {0.0, 0.0, -60.0});
+  for (const double place : {-60.0, -75.0}) {
+    const BallSocketPair joint{
+        test::joined(icosphere(20.0, 2), bottle),
+        test::joined(cup(26.0, 60.0, 100), test::moved(octahedron(0.3), {0.0, 0.0, place}))};
+    const BodyPairs bodies(joint, {});
+    ASSERT_TRUE(bodies.has_radial());
+    EXPECT_EQ(bodies.verdict({}).contact, place > -61.0 ? Contact::yes : Contact::no);
+    EXPECT_EQ(bodies.may_meet({.turn = 0.01}, true).has_value(), place > -61.0);
+  }
+}
+
+// Each face twice changes nothing.
+TEST(MeshEnd, IsFoundWhereFacesRepeat) {
+  TriangleMesh ball = cup(20.0, 60.0, 1000);
+  ball.faces.insert(ball.faces.end(), ball.faces.begin(), ball.faces.begin() + 1000);
+  const TurnLimits limits({ball, cup(26.0, 20.0, 1000)});
+  const TurnLimit limit = limits.first_contact({.axis = Vec3::UnitX()}, 90.0);
+  ASSERT_TRUE(limit.leaves_mesh_deg);
+  EXPECT_NEAR(*limit.leaves_mesh_deg, 40.0, 0.5);
+}
+
+// A shaft of 10 mm along z that is closed below and cut at z = 25, where its last faces are 0.01 mm high.
+TEST(InnerBalls, KeepOffACut) {
+  constexpr VertexIndex kCorners = 24;
+  constexpr double kEnd = 25.0;
+  TriangleMesh shaft;
+  for (const double z : {-kEnd, kEnd - 0.01, kEnd})
+    for (VertexIndex k = 0; k < kCorners; ++k) {
+      const double azimuth = 2.0 * kPi * k / kCorners;
+      shaft.vertices.emplace_back(10.0 * std::cos(azimuth), 10.0 * std::sin(azimuth), z);
+    }
+  shaft.vertices.emplace_back(0.0, 0.0, -kEnd);
+  const VertexIndex below = 3 * kCorners;
+  for (VertexIndex k = 0; k < kCorners; ++k) {
+    const VertexIndex next = (k + 1) % kCorners;
+    shaft.faces.push_back({below, next, k});
+    for (VertexIndex ring = 0; ring < 2 * kCorners; ring += kCorners) {
+      shaft.faces.push_back({ring + k, ring + next, ring + kCorners + next});
+      shaft.faces.push_back({ring + k, ring + kCorners + next, ring + kCorners + k});
+    }
+  }
+  const double within = 10.0 * std::cos(kPi / kCorners);
+  const auto holds = [&](const Vec3& x) { return x.head<2>().norm() < within && std::abs(x.z()) < kEnd; };
+  const SweptParts faces(turn_faces(shaft));
+  const InnerBalls balls(faces, {holds, [&](const Vec3& x) { return kEnd - x.z(); }});
+  for (const double turn : {1.0, 0.1, 0.01, 1e-4}) {
+    const auto& found = balls.of(turn).parts();
+    EXPECT_FALSE(found.empty());
+    for (const TurnFace& ball : found) {
+      const Vec3& x = ball.corner[0];
+      EXPECT_GT(ball.doubt, 2.5e-4 * faces.nodes()[0].radius);  // smaller ones are left out
+      EXPECT_LT(x.head<2>().norm() + ball.doubt, 10.0);
+      EXPECT_LT(std::abs(x.z()) + ball.doubt, kEnd);
+    }
+  }
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ struct Turning {
 
   auto first(const AngleSpan& angles) const { return first_contact({ball, socket, turn}, angles); }
   auto gap(double gap_mm, const AngleSpan& angles) const {
-    return first_gap({ball, socket, turn}, TurnGap(joint, gap_mm), angles);
+    return first_gap(ball.faces, socket.faces, turn, TurnGap(joint, gap_mm), angles);
   }
   Pose at(double angle) const {
     return {Eigen::AngleAxisd(angle, turn.axis).toRotationMatrix(), Vec3::Zero()};

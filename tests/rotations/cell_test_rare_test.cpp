@@ -4,20 +4,24 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "mesh/bodies.hpp"
 #include "mesh/icosphere.hpp"
+#include "mesh/split_faces.hpp"
 #include "mesh/surface_vertices.hpp"
 #include "rotations/cell_test.hpp"
 #include "support/dice.hpp"
 #include "support/exact_touch.hpp"
 #include "support/joined.hpp"
+#include "support/opened.hpp"
 #include "support/random_cases.hpp"
 #include "support/thrown.hpp"
 #include "support/turned.hpp"
+#include "table/pairwise.hpp"
 
 namespace impinge {
 namespace {
@@ -204,13 +208,18 @@ TriangleMesh box(const Vec3& a, const Vec3& b) {
   return mesh;
 }
 
-// A plate in a slot with 0.01 mm to spare on either side: apart in the middle of the cell, in contact after a
-// turn of a degree either way, and too little is left between for a part of the cell.
-TEST(CellTest, FindsNoFreePartInASlot) {
+// A small ball in a wide socket, both with an inside, for parts beside them.
+BallSocketPair far_apart() {
   const TriangleMesh inner = cup(300.0, 60.0, 100);
   TriangleMesh outer = inner;
   for (Vec3& x : outer.vertices) x *= 1.1;
-  const BallSocketPair joint{icosphere(5.0, 1), test::with_back(inner, outer)};
+  return {icosphere(5.0, 1), test::with_back(inner, outer)};
+}
+
+// A plate in a slot with 0.01 mm to spare on either side: apart in the middle of the cell, in contact after a
+// turn of a degree either way, and too little is left between for a part of the cell.
+TEST(CellTest, FindsNoFreePartInASlot) {
+  const BallSocketPair joint = far_apart();
   const TriangleMesh plate = box({40.0, -1.0, -8.0}, {60.0, 1.0, 8.0});
   const std::vector<TriangleMesh> slot{box({38.0, 1.01, -10.0}, {62.0, 4.0, 10.0}),
                                        box({38.0, -4.0, -10.0}, {62.0, -1.01, 10.0})};
@@ -229,6 +238,106 @@ TEST(CellTest, FindsNoFreePartInASlot) {
     EXPECT_EQ(search.decide(cell).state, CellState::open);
     EXPECT_TRUE(search.part_of(cell, {}).free.empty());
     EXPECT_EQ(search.part_of(cell, {}).state, CellState::open);
+  }
+}
+
+// A plate stays off a wall in the whole cell; so it does in fine faces, but they are too many to be looked
+// at.
+TEST(CellTest, LeavesACellOpenWhereTooManyFacesOfPartsAreClose) {
+  const RotationCell cell = cell_of(Quaternion4::Unit(0), 10);
+  const Eigen::Matrix3d back = rotation_of(centre(cell)).transpose();
+  TriangleMesh plate = test::turned(box({46.5, -1.0, -3.5}, {53.5, 1.0, 3.5}), back);
+  TriangleMesh wall = box({46.0, 1.14, -4.0}, {54.0, 3.0, 4.0});
+  for (const bool fine : {false, true}) {
+    for (int k = 0; k < (fine ? 6 : 0); ++k)
+      for (TriangleMesh* mesh : {&plate, &wall})
+        *mesh = split_faces(*mesh, std::vector<bool>(mesh->faces.size(), true)).mesh;
+    const CellTest test(far_apart(), {}, {{plate}, {wall}});
+    EXPECT_EQ(CellSearch(test).decide(cell).state, fine ? CellState::open : CellState::free);
+  }
+}
+
+// A sheet of n squares each way, 0.05 mm wide, that a ray along +x meets at 20 degrees; every second row is
+// farther out.
+TriangleMesh rippled(VertexIndex n, double out, double ripple) {
+  const Vec3 normal(std::cos(20.0 * kDegree), std::sin(20.0 * kDegree), 0.0);
+  const Vec3 along = Vec3::UnitZ().cross(normal);
+  TriangleMesh mesh;
+  for (VertexIndex i = 0; i <= n; ++i)
+    for (VertexIndex j = 0; j <= n; ++j)
+      mesh.vertices.push_back(Vec3(50.0, 0.0, 0.0) + 0.05 * (i - 0.5 * n) * along +
+                              0.05 * (j - 0.5 * n) * Vec3::UnitZ() +
+                              (out + (i % 2 == 0 ? 0.0 : ripple)) * normal);
+  for (VertexIndex i = 0; i < n; ++i)
+    for (VertexIndex j = 0; j < n; ++j) {
+      const VertexIndex at = i * (n + 1) + j;
+      mesh.faces.push_back({at, at + n + 1, at + 1});
+      mesh.faces.push_back({at + 1, at + n + 1, at + n + 2});
+    }
+  return mesh;
+}
+
+// Planes of the ripples go through the ball, which stays off them in the whole cell.
+TEST(CellTest, LeavesACellOpenWhereTooManyFacesAreClose) {
+  const RotationCell cell = cell_of(Quaternion4::Unit(0), 10);
+  const Eigen::Matrix3d back = rotation_of(centre(cell)).transpose();
+  const TriangleMesh head = test::opened(icosphere(45.0, 3), -Vec3::UnitX(), 1.0);
+  for (const VertexIndex squares : {6U, 60U}) {
+    const CellTest test(
+        {test::joined(head, test::turned(rippled(squares, 0.0, 0.0), back)), rippled(squares, 0.05, 0.05)});
+    CellSearch search(test);
+    EXPECT_EQ(search.decide(cell).state, CellState::open) << squares;
+    EXPECT_EQ(search.part_of(cell, {}).state, squares < 10 ? CellState::free : CellState::open);
+  }
+}
+
+// A bump of the head comes into the bone of the socket through a hole of its wall, where radii are clear.
+TEST(CellTest, NothingIsFreeWhereABumpComesThroughAHole) {
+  const TriangleMesh inner = cup(26.0, 70.0, 3000);
+  TriangleMesh outer = inner;
+  for (Vec3& x : outer.vertices) x *= 32.0 / 26.0;
+  BallSocketPair joint{sphere(22.0, 3000), test::with_back(inner, outer)};
+  std::erase_if(joint.socket.faces, [&](const Face& face) {
+    const auto [a, b, c] = corners_of(joint.socket, face);
+    const Vec3 middle = (a + b + c) / 3.0;
+    return middle.norm() < 29.0 && angle_between(middle, Vec3::UnitZ()) < 0.19;
+  });
+  *std::ranges::max_element(joint.ball.vertices, {}, [](const Vec3& x) { return x.z(); }) =
+      25.9 * Vec3::UnitZ();
+  const CellTest test(joint);
+  ASSERT_TRUE(test.bodies().has_inside());
+  ASSERT_FALSE(test::ExactTouch(joint).impinged({}));
+  ASSERT_EQ(test.bodies().verdict({}).contact, Contact::yes);
+  const Eigen::Matrix3d aside = Eigen::AngleAxisd(0.6, Vec3::UnitX()).toRotationMatrix();
+  ASSERT_EQ(test.bodies().verdict({aside, Vec3::Zero()}).contact, Contact::no);
+  for (const double radius : {0.01, 0.7})
+    EXPECT_EQ(CellSearch(test).decide(RotationBall{aside, radius}).state,
+              radius < 0.5 ? CellState::free : CellState::open);
+}
+
+// A part of the socket comes into a hollow ball through its mouth.
+TEST(CellTest, NothingIsFreeWhereAPartComesThroughAMouth) {
+  const TriangleMesh speck = test::moved(octahedron(0.1), {8.0, 0.0, -10.2});
+  const CellTest test({cup(20.0, 120.0, 1000), cup(26.0, 30.0, 300)}, {}, {{}, {speck}});
+  const Eigen::AngleAxisd in(3.0 * kDegree, Vec3::UnitY());
+  ASSERT_EQ(test.bodies().verdict({}).contact, Contact::no);
+  ASSERT_EQ(test.bodies().verdict({in.toRotationMatrix(), Vec3::Zero()}).contact, Contact::yes);
+  for (const double radius : {0.002, 0.06})
+    EXPECT_EQ(CellSearch(test).decide(RotationBall{Eigen::Matrix3d::Identity(), radius}).state,
+              radius < 0.01 ? CellState::free : CellState::open);
+}
+
+// A small ball that ends 2 degrees beyond the rim of a cup, which a centre beside the origin sees bare.
+TEST(CellTest, ABallEndsEarlierForAnotherCentre) {
+  const BallSocketPair joint{cup(8.0, 62.0, 2000), cup(26.0, 60.0, 300)};
+  const Vec3 off(0.25, 0.0, -0.433);
+  const Vec3 rim = 26.0 * Vec3(std::sin(60.0 * kDegree), 0.0, std::cos(60.0 * kDegree));
+  ASSERT_TRUE(
+      std::isnan(RayCaster(relative_to(joint.ball, off)).cast((rim - off).normalized(), Layer::farthest)));
+  for (const double within : {0.1, 0.5}) {
+    const CellTest test(joint, {.centre_within_mm = within});
+    EXPECT_EQ(CellSearch(test).decide(RotationBall{Eigen::Matrix3d::Identity(), 1e-4}).state,
+              within < 0.2 ? CellState::free : CellState::open);
   }
 }
 
@@ -327,14 +436,17 @@ TEST(CellTest, DecidesNothingIfTheCentreMayBeOutsideOfTheBall) {
     EXPECT_EQ(CellSearch(test).decide(cell_near(dice.quaternion(), dice, 0, 9)).state, CellState::open);
 }
 
-// Nor does a centre on a face, which some others have on this side of it and some on that.
-TEST(CellTest, DecidesNothingIfAFaceOfTheBallHasACornerInTheCentre) {
-  TriangleMesh ball = sphere(20.0, 200);
-  test::add_face(ball, Vec3::Zero(), {5.0, 0.0, 0.0}, {0.0, 5.0, 1.0});
-  const CellTest test({ball, cup(26.0, 70.0, 200)}, {0.5, 0.1});
-  test::Dice dice(88);
-  for (int k = 0; k < 20; ++k)
-    EXPECT_EQ(CellSearch(test).decide(cell_near(dice.quaternion(), dice, 0, 9)).state, CellState::open);
+// Nor does a centre on a face, at a corner or within, which some others have on this side of it and some on
+// that.
+TEST(CellTest, DecidesNothingIfTheCentreIsOnAFaceOfTheBall) {
+  for (const Vec3& corner : {Vec3(0.0, 0.0, 0.0), Vec3(-4.0, -3.0, 0.0)}) {
+    TriangleMesh ball = sphere(20.0, 200);
+    test::add_face(ball, corner, {5.0, 0.0, 0.0}, {-4.0, 3.0, corner.isZero(0.0) ? 1.0 : 0.0});
+    const CellTest test({ball, cup(26.0, 70.0, 200)}, {0.5, 0.1});
+    test::Dice dice(88);
+    for (int k = 0; k < 20; ++k)
+      EXPECT_EQ(CellSearch(test).decide(cell_near(dice.quaternion(), dice, 0, 9)).state, CellState::open);
+  }
 }
 
 // A spike that is longer than the farthest corner of a face, of which no plane is known.
@@ -351,6 +463,46 @@ TEST(CellTest, BlocksBeyondAFaceThatIsTooWide) {
   const CellHint hint{CellHint::kNone, CellHint::kNone, tip, true};
   EXPECT_EQ(CellSearch(test).decide(RotationBall{Eigen::Matrix3d::Identity(), 0.01}, hint).state,
             CellState::blocked);
+}
+
+// Beyond the edge at y = 0 the socket goes on with a face so steep that no plane of it is known.
+TEST(CellTest, AVertexBlocksNothingBesideASteepFace) {
+  TriangleMesh socket;
+  socket.vertices = {{-8.0, 0.0, 26.0}, {8.0, 0.0, 26.0}, {0.0, -10.0, 26.0}, {0.0, 1e-5, 31.0}};
+  socket.faces = {{0, 2, 1}, {0, 1, 3}};
+  TriangleMesh ball = sphere(20.0, 200);
+  test::add_face(ball, {1.0, 0.0, 19.0}, {-1.0, 1.0, 19.0}, {0.0, -1.0, 28.0});
+  const CellTest test({ball, socket});
+  const auto& faces = test.surface(Surface::socket).faces();
+  ASSERT_EQ(std::ranges::count_if(faces, [](const DirectionFace& f) { return f.plane.isZero(0.0); }), 1);
+  const auto& vertices = test.surface(Surface::ball).vertices();
+  const auto tip = static_cast<std::uint32_t>(
+      std::ranges::max_element(vertices, {}, [](const Vec3& x) { return x.z(); }) - vertices.begin());
+  const CellHint hint{CellHint::kNone, CellHint::kNone, tip, true};
+  for (const double radius : {0.01, 0.05})
+    EXPECT_EQ(CellSearch(test).decide(RotationBall{Eigen::Matrix3d::Identity(), radius}, hint).state,
+              radius < 1.0 / 28.0 ? CellState::blocked : CellState::open);
+}
+
+// Of two faces that are too small for planes through their sides, and too steep for a plane of their own,
+// only their radii tell.
+TEST(CellTest, TinySteepFacesAreApartByRadiiAlone) {
+  const auto tiny = [](double r) {
+    TriangleMesh mesh;
+    test::add_face(mesh, {0.0, 0.0, r}, {0.0, 2e-13, r + 2e-6}, {2e-6, 0.0, r});
+    return mesh;
+  };
+  const TriangleMesh ball = test::joined(test::opened(icosphere(10.0, 2), -Vec3::UnitZ(), 1.0), tiny(25.0));
+  for (const double radius : {25.0, 25.5}) {
+    const TriangleMesh other = test::turned(tiny(radius), 0.01, Vec3(0.8, 0.6, 0.0));
+    const CellTest test({ball, test::joined(cup(30.0, 70.0, 60), other)});
+    CellSearch search(test);
+    for (std::uint32_t level = 5; level <= 7; ++level) {
+      const CellPart part = search.part_of(cell_of(Quaternion4::Unit(0), level), {});
+      EXPECT_EQ(part.state, radius > 25.1 ? CellState::free : CellState::open);
+      EXPECT_TRUE(part.free.empty());
+    }
+  }
 }
 
 // A corner of the socket that is in the spike, and that some turns by up to 0.6 leave beside it.

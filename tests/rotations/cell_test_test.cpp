@@ -219,8 +219,9 @@ TEST(TheoremVolume, IsNeverWrongOfAPair) {
 // faces of both, along vertices and random points of the socket, and along directions of the ball that `draw`
 // gives.
 template <class Draw>
-std::map<CellState, std::size_t> attack_holes(const BallSocketPair& joint, const Draw& draw) {
-  const CellTest test(joint);
+std::map<CellState, std::size_t> attack_holes(const BallSocketPair& joint, const Draw& draw,
+                                              const CellQuestion& question = {}) {
+  const CellTest test(joint, question);
   const RayCaster ball(joint.ball);
   const RayCaster socket(joint.socket);
   std::mt19937_64 engine(23);
@@ -258,7 +259,7 @@ std::map<CellState, std::size_t> attack_holes(const BallSocketPair& joint, const
   return asked;
 }
 
-// A wide hole, and narrow ones.
+// A wide hole, and narrow ones; for one centre, and for all about it.
 TEST(TheoremVolume, IsNeverWrongWhereTheBallEnds) {
   BallSocketPair joint{sphere(20.0, 1000), cup(26.0, 30.0, 300)};
   std::mt19937_64 engine(23);
@@ -266,7 +267,9 @@ TEST(TheoremVolume, IsNeverWrongWhereTheBallEnds) {
     const auto corners = corners_of(joint.ball, face);
     return angle_between(corners[0] + corners[1] + corners[2], {0.3, -0.4, 0.7}) < 0.2 || engine() % 200 == 0;
   });
-  attack_holes(joint, [](std::mt19937_64& dice) { return any_direction(dice); });
+  for (const double within : {0.0, 0.2})
+    attack_holes(joint, [](std::mt19937_64& dice) { return any_direction(dice); },
+                 {.centre_within_mm = within});
 }
 
 // Two halves of a ball of this width, degrees.

@@ -21,6 +21,7 @@
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/icosphere.hpp"
 #include "reference/meeting_surfaces.hpp"
 #include "rotations/volume.hpp"
 #include "support/closed_bones.hpp"
@@ -103,6 +104,11 @@ class ShiftAttack {
  public:
   ShiftAttack(const CellTest& test, Touches touches, Touches ends = nullptr)
       : play_(test.question().play_mm), touches_(std::move(touches)), ends_(std::move(ends)), search_(test) {}
+
+  // Asks about one cell alone.
+  void ask(const RotationCell& cell) { ask(cell, search_.decide(cell)); }
+
+  const Attacked& asked() const { return asked_; }
 
   Attacked run(std::size_t cells) {
     for (std::size_t k = 0; k < cells; ++k) {
@@ -196,6 +202,69 @@ TEST(TheoremPlay, IsNeverWrongOfBonesWithAnInside) {
   }
 }
 
+// Where the wings come near the head's surface does not.
+TEST(TheoremPlay, IsNeverWrongOfPartsBesideTheBones) {
+  const test::ClosedBones bones({27.0, 20.0, 0.0});
+  const CellTest test({bones.head, bones.joint.socket}, {.play_mm = 1.0}, {bones.wings, {}});
+  const auto touches = [&](const Eigen::Matrix3d& rotation, const Vec3& shift) {
+    return bones.meet(rotation, shift);
+  };
+  const Attacked asked = ShiftAttack(test, touches).run(random_cases() / 4);
+  EXPECT_GT(asked.free, 0U);
+  EXPECT_GT(asked.shifted, 0U);
+  EXPECT_GT(asked.blocked, random_cases() / 40);
+}
+
+// A closed prism on a triangle, 5 mm deep.
+TriangleMesh prism(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 down(0.0, 0.0, -5.0);
+  TriangleMesh mesh;
+  mesh.vertices = {a, b, c, a + down, b + down, c + down};
+  mesh.faces = {{0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1}, {1, 4, 5}, {1, 5, 2}, {2, 5, 3}, {2, 3, 0}};
+  return mesh;
+}
+
+// In the middle of a cell the tops of two prisms lie in one plane, 0.1 mm apart: their normals do not tell
+// them apart, nor does the line between their middles.
+TEST(TheoremPlay, IsNeverWrongOfFacesInOnePlane) {
+  const TriangleMesh inner = cup(300.0, 60.0, 100);
+  TriangleMesh outer = inner;
+  for (Vec3& x : outer.vertices) x *= 1.1;
+  const BallSocketPair joint{icosphere(5.0, 1), test::with_back(inner, outer)};
+  const TriangleMesh moving = prism({40.0, 0.0, 5.0}, {50.0, 0.0, 5.0}, {40.0, 1.0, 5.0});
+  const TriangleMesh still = prism({40.0, 1.1, 5.0}, {50.0, 0.1, 5.0}, {50.0, 1.1, 5.0});
+  test::Dice dice(77);
+  Attacked all;
+  for (std::size_t k = 0; k < random_cases() / 25; ++k) {
+    const RotationCell cell = cell_of(dice.quaternion(), static_cast<std::uint32_t>(dice.whole(5, 11)));
+    const TriangleMesh ball = test::turned(moving, rotation_of(centre(cell)).transpose());
+    const CellTest test(joint, {.play_mm = dice.between(0.01, 1.0)}, {{ball}, {still}});
+    const auto touches = [&](const Eigen::Matrix3d& rotation, const Vec3& shift) {
+      return surfaces_meet(test::moved(test::turned(ball, rotation), shift), still);
+    };
+    ShiftAttack attack(test, touches);
+    attack.ask(cell);
+    all.free += attack.asked().free;
+    all.shifted += attack.asked().shifted;
+    EXPECT_EQ(attack.asked().blocked, 0U);
+  }
+  EXPECT_GT(all.free, 0U);
+  EXPECT_GT(all.shifted, 0U);
+}
+
+// A part of the socket round the centre: a part of the ball with a corner there stays in it with every shift.
+TEST(TheoremPlay, BlocksAllWhereAPartHoldsTheCentre) {
+  const test::ClosedBones bones;
+  TriangleMesh speck;
+  test::add_face(speck, Vec3::Zero(), {0.1, 0.0, 0.0}, {0.0, 0.1, 0.1});
+  const CellTest test({bones.head, bones.joint.socket}, {.play_mm = 1.0}, {{speck}, {icosphere(4.0, 1)}});
+  CellSearch search(test);
+  test::Dice dice(78);
+  for (int k = 0; k < 50; ++k)
+    EXPECT_EQ(search.decide(cell_of(dice.quaternion(), static_cast<std::uint32_t>(dice.whole(2, 9)))).state,
+              CellState::blocked);
+}
+
 // Faces whose plane holds a centre; and shifts with which it holds the other.
 TEST(TheoremPlay, IsNeverWrongOfEdgeOnFaces) {
   test::Dice dice(73);
@@ -218,13 +287,16 @@ TEST(TheoremPlay, IsNeverWrongOfEdgeOnFaces) {
   EXPECT_GT(all.blocked, random_cases() / 100);
 }
 
-// A ball with a hole, under a cup that it meets without a shift. Random points of the cup say whether the
-// hole is under it.
-TEST(TheoremPlay, IsNeverWrongWhereTheBallEnds) {
-  BallSocketPair joint{sphere(20.0, 1000), test::moved(cup(20.3, 60.0, 300), {0.0, 0.0, -0.4})};
+// A ball with a hole under a cup. Random points of the cup, and directions of the hole, say whether the hole
+// is under it.
+Attacked attack_shifts_of_a_hole(BallSocketPair joint, double play_mm) {
+  const Vec3 middle = Vec3(0.3, -0.4, 0.7).normalized();
+  std::vector<Vec3> in_hole;  // its corners, and some others
+  for (const Vec3& x : joint.ball.vertices)
+    if (angle_between(x, middle) < 0.35) in_hole.push_back((x.normalized() + 1e-4 * middle).normalized());
   std::erase_if(joint.ball.faces, [&](const Face& face) {
     const auto corners = corners_of(joint.ball, face);
-    return angle_between(corners[0] + corners[1] + corners[2], {0.3, -0.4, 0.7}) < 0.25;
+    return angle_between(corners[0] + corners[1] + corners[2], middle) < 0.25;
   });
   test::ExactTouch overlay(joint);
   const RayCaster ball(joint.ball);
@@ -242,15 +314,35 @@ TEST(TheoremPlay, IsNeverWrongWhereTheBallEnds) {
       const double b = (1.0 - a) * dice.between(0.0, 1.0);
       if (misses(a * corners[0] + b * corners[1] + (1.0 - a - b) * corners[2])) return true;
     }
+    const RayCaster socket(relative_to(joint.socket, shift));
+    const auto is_bare = [&](const Vec3& u) {
+      return std::isnan(ball.cast(u, Layer::farthest)) &&
+             !std::isnan(socket.cast(rotation * u, Layer::nearest));
+    };
+    if (std::ranges::any_of(in_hole, is_bare)) return true;
+    for (std::size_t k = 0; k < 1000; ++k)
+      if (is_bare((middle + 0.2 * dice.vector()).normalized())) return true;
     return false;
   };
   const auto touches = [&](const Eigen::Matrix3d& rotation, const Vec3& shift) {
     return overlay.impinged({rotation, shift});
   };
+  return ShiftAttack(CellTest(joint, {.play_mm = play_mm}), touches, ends).run(random_cases() / 10);
+}
+
+// The ball meets the cup without a shift.
+TEST(TheoremPlay, IsNeverWrongWhereTheBallEnds) {
   const Attacked asked =
-      ShiftAttack(CellTest(joint, {.play_mm = 1.0}), touches, ends).run(random_cases() / 10);
+      attack_shifts_of_a_hole({sphere(20.0, 1000), test::moved(cup(20.3, 60.0, 300), {0.0, 0.0, -0.4})}, 1.0);
   EXPECT_GT(asked.shifted, random_cases() / 20);
   EXPECT_GT(asked.unknown, random_cases() / 100);
+}
+
+TEST(TheoremPlay, IsNeverWrongOfABallSmallerThanItsPlay) {
+  const Attacked asked = attack_shifts_of_a_hole({sphere(0.3, 1000), cup(25.0, 60.0, 300)}, 0.5);
+  EXPECT_GT(asked.free, random_cases() / 100);
+  EXPECT_GT(asked.unknown, random_cases() / 100);
+  EXPECT_EQ(asked.blocked, 0U);
 }
 
 // Seen from the ball's centre a shift by r turns the rim of the cup, 26 mm away, by asin(r / 26) at most;

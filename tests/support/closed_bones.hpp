@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "mesh/bodies.hpp"
 #include "mesh/star_shape.hpp"
@@ -22,14 +23,12 @@ inline bool holds(const TriangleMesh& mesh, const Vec3& x) {
 
 // A head with a spike, and wings that go behind the wall of the socket; the bones are closed.
 struct ClosedBones {
-  ClosedBones() {
+  explicit ClosedBones(const Vec3& wing_at = {30.0, 22.0, 0.0}) {
     joint.ball.vertices[5] *= 1.45;
     head = joint.ball;
-    for (const double side : {1.0, -1.0}) {
-      TriangleMesh wing = octahedron(3.0);
-      for (Vec3& x : wing.vertices) x += Vec3(side * 30.0, 22.0, 0.0);
-      joint.ball = joined(joint.ball, wing);
-    }
+    for (const double side : {1.0, -1.0})
+      wings.push_back(moved(octahedron(3.0), wing_at.cwiseProduct(Vec3(side, 1.0, 1.0))));
+    for (const TriangleMesh& wing : wings) joint.ball = joined(joint.ball, wing);
     const TriangleMesh inner = joint.socket;
     TriangleMesh back = inner;
     for (Vec3& x : back.vertices) x *= 32.0 / 26.0;
@@ -43,6 +42,7 @@ struct ClosedBones {
   }
   BallSocketPair joint{sphere(20.0, 60), cup(26.0, 70.0, 60)};
   TriangleMesh head;
+  std::vector<TriangleMesh> wings;
 };
 
 }  // namespace impinge::test
