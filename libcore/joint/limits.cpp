@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -76,10 +77,44 @@ std::optional<BodyPairs::Pair> blocked_by_part(const CentredLimits& centred, con
   return pair.ball + pair.socket > 0 ? std::optional(pair) : std::nullopt;
 }
 
+// Finds places of the joint, and forgets limits of the other kind, for the rim alone or not.
+void find_places(Session& session, bool rim) {
+  const SessionJoint& joint = *session.joint;
+  const Joint& bones = joint.joint;
+  if (!session.places)
+    session.places =
+        joint_places({in_joint_frame(joint, bones.ball.main()), in_joint_frame(joint, bones.socket.main())});
+  if (session.limits_of_rim != rim) {
+    session.limits.reset();
+    session.socket_limits.reset();
+    session.limits_of_rim = rim;
+  }
+}
+
+// The limits about the centre of the ball, or of the socket, which has one.
+const CentredLimits& limits_about(Session& session, Surface of) {
+  constexpr std::size_t kKeepBoth = 1'000'000;  // faces: of more only one is kept, for half of the memory
+  const SessionJoint& joint = *session.joint;
+  const bool of_ball = of == Surface::ball;
+  auto& limits = of_ball ? session.limits : session.socket_limits;
+  if (limits) return *limits;
+  BallSocketPair about{in_joint_frame(joint, joint.mesh(Surface::ball)),
+                       in_joint_frame(joint, joint.mesh(Surface::socket))};
+  if (about.ball.faces.size() + about.socket.faces.size() > kKeepBoth)
+    (of_ball ? session.socket_limits : session.limits).reset();
+  const Vec3 centre = of_ball ? Vec3(joint.axes * joint.shift) : session.places->socket->centre;
+  const Vec3 origin = of_ball ? Vec3(Vec3::Zero()) : centre;  // the ball is about its own centre
+  if (!of_ball) about = {relative_to(about.ball, origin), relative_to(about.socket, origin)};
+  limits = session.limits_of_rim ? std::make_unique<CentredLimits>(joint.joint, std::move(about), centre,
+                                                                   origin, *session.places)
+                                 : std::make_unique<CentredLimits>(joint.joint, std::move(about), centre);
+  return *limits;
+}
+
 LimitAnswer answered(Session& session, const LimitRequest& asked, Surface about, double threshold) {
   SessionJoint& joint = *session.joint;
   const bool of_socket = about == Surface::socket;
-  const CentredLimits& centred = of_socket ? *session.socket_limits : *session.limits;
+  const CentredLimits& centred = limits_about(session, about);
   const JointTurn turn = joint_turn(asked.start, motion_name(asked.growing), joint.side);
   LimitAnswer limit;
   limit.motion = asked.motion.empty() ? asked.growing : asked.motion;
@@ -132,32 +167,26 @@ std::optional<double> neck_cut(const SessionJoint& joint, const SphereFit& head)
   return length > kRound * head.radius ? std::optional(nearest) : std::nullopt;
 }
 
-// Makes the limits about the centre of the ball, and about the socket's centre if it has one.
-void make_limits(Session& session, bool about_socket, bool rim) {
-  const SessionJoint& joint = *session.joint;
-  const Joint& bones = joint.joint;
-  if (!session.places)
-    session.places =
-        joint_places({in_joint_frame(joint, bones.ball.main()), in_joint_frame(joint, bones.socket.main())});
-  if (session.limits_of_rim != rim) {
-    session.limits.reset();
-    session.socket_limits.reset();
-    session.limits_of_rim = rim;
+// Of each request, as answer_limits() has them. All have the same translation and are for the rim alone or
+// not. One centre is asked about after the other.
+std::vector<LimitAnswer> answer_each(Session& session, const std::vector<LimitRequest>& requests) {
+  if (requests.empty()) return {};
+  const LimitRequest& any = requests.front();
+  for (const LimitRequest& request : requests) largest_of(request);  // refuses what cannot grow
+  shift_ball(session, any.translation);
+  find_places(session, any.rim);
+  std::vector<std::vector<LimitAnswer>> found(requests.size());
+  for (std::size_t k = 0; k < requests.size(); ++k) {
+    const double cartilage = requests[k].cartilage_mm;
+    found[k].push_back(answered(session, requests[k], Surface::ball, 0.0));
+    if (cartilage > 0.0) found[k].push_back(answered(session, requests[k], Surface::ball, cartilage));
   }
-  const auto made = [&](BallSocketPair about, const Vec3& centre, const Vec3& ball_origin) {
-    return rim ? std::make_unique<CentredLimits>(bones, std::move(about), centre, ball_origin,
-                                                 *session.places)
-               : std::make_unique<CentredLimits>(bones, std::move(about), centre);
-  };
-  if (!session.limits)
-    session.limits = made({in_joint_frame(joint, joint.mesh(Surface::ball)),
-                           in_joint_frame(joint, joint.mesh(Surface::socket))},
-                          joint.axes * joint.shift, Vec3::Zero());
-  if (!about_socket || session.socket_limits || !session.places->socket) return;
-  const Vec3& centre = session.places->socket->centre;
-  const BallSocketPair& meshes = session.limits->meshes;
-  session.socket_limits =
-      made({relative_to(meshes.ball, centre), relative_to(meshes.socket, centre)}, centre, centre);
+  if (any.translation.isZero(0.0) && session.places->socket)
+    for (std::size_t k = 0; k < requests.size(); ++k)
+      found[k].insert(found[k].begin() + 1, answered(session, requests[k], Surface::socket, 0.0));
+  std::vector<LimitAnswer> all;
+  for (std::vector<LimitAnswer>& of : found) std::move(of.begin(), of.end(), std::back_inserter(all));
+  return all;
 }
 
 }  // namespace
@@ -191,15 +220,7 @@ CentredLimits::CentredLimits(const Joint& joint, BallSocketPair about, const Vec
       limits(TurnLimits::of_surfaces(rim_of(joint, meshes, from_centre, ball_origin, places))) {}
 
 std::vector<LimitAnswer> answer_limits(Session& session, const LimitRequest& request) {
-  largest_of(request);  // refuses what cannot grow
-  shift_ball(session, request.translation);
-  const bool shifted = !request.translation.isZero(0.0);
-  make_limits(session, !shifted, request.rim);
-  std::vector<LimitAnswer> limits{answered(session, request, Surface::ball, 0.0)};
-  if (!shifted && session.socket_limits) limits.push_back(answered(session, request, Surface::socket, 0.0));
-  if (request.cartilage_mm > 0.0)
-    limits.push_back(answered(session, request, Surface::ball, request.cartilage_mm));
-  return limits;
+  return answer_each(session, {request});
 }
 
 std::optional<std::string> LimitRow::meets() const {
@@ -228,23 +249,24 @@ void LimitsRequest::check() const {
 LimitsAnswer answer(Session& session, const LimitsRequest& request) {
   request.check();
   LimitsAnswer answer{.centre_within_mm = kErrorOfInput, .rim = request.rim, .limits = {}};
+  std::vector<LimitRequest> each;
   for (const NamedMotion& motion : named_motions()) {
     const bool named = std::any_of(request.motions.begin(), request.motions.end(),
                                    [&](const std::string& name) { return &named_motion(name) == &motion; });
     if (!(request.motions.empty() ? !request.pose || is_rest(motion.start) : named)) continue;
-    const LimitRequest one{.start = request.pose.value_or(motion.start),
-                           .growing = std::string(motion.growing),
-                           .motion = motion.name,
-                           .largest_deg = request.largest_deg,
-                           .translation = request.translation.value_or(Vec3::Zero()),
-                           .cartilage_mm = request.cartilage_mm,
-                           .rim = request.rim};
-    try {
-      for (LimitAnswer& limit : answer_limits(session, one)) answer.limits.push_back(std::move(limit));
-    } catch (...) {
-      shift_ball(session, Vec3::Zero());
-      throw;
-    }
+    each.push_back({.start = request.pose.value_or(motion.start),
+                    .growing = std::string(motion.growing),
+                    .motion = motion.name,
+                    .largest_deg = request.largest_deg,
+                    .translation = request.translation.value_or(Vec3::Zero()),
+                    .cartilage_mm = request.cartilage_mm,
+                    .rim = request.rim});
+  }
+  try {
+    answer.limits = answer_each(session, each);
+  } catch (...) {
+    shift_ball(session, Vec3::Zero());
+    throw;
   }
   shift_ball(session, Vec3::Zero());  // other questions are about the joint as it lies
   if (session.places && session.places->head)
