@@ -5,6 +5,7 @@
 //   impinge cohort --study FILE [--hips N] --shard i/K --out DIR     works out part i of K, or continues it
 //   impinge cohort --merge DIR                                       cohort.csv, cohort.json, shards.json
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdlib>
@@ -16,6 +17,9 @@
 #include <string>
 
 #include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/sysinfo.h>
 #include <unistd.h>
 
 #include "cohort/shard.hpp"
@@ -95,6 +99,23 @@ void give_back() {
   delete[] given;
 }
 
+// Linux lends more memory than there is and kills, without a word, who uses it. With this limit the request
+// that goes too far fails instead. A sanitizer has reserved far more by now, and gets no limit.
+void ask_for_no_more_than_there_is() {
+  struct sysinfo machine {};
+  struct rlimit given {};
+  if (::sysinfo(&machine) != 0 || ::getrlimit(RLIMIT_DATA, &given) != 0) return;
+  const rlim_t sixteenth = (machine.totalram + machine.totalswap) / 16 * machine.mem_unit;
+  const struct rlimit limit { std::min(given.rlim_cur, 15 * sixteenth), given.rlim_max };
+  ::setrlimit(RLIMIT_DATA, &limit);
+  constexpr std::size_t kPage = 4096;
+  void* const page = ::mmap(nullptr, kPage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (page == MAP_FAILED)
+    ::setrlimit(RLIMIT_DATA, &given);
+  else
+    ::munmap(page, kPage);
+}
+
 // Some destructors of libraries allocate, and abort the program if they cannot.
 [[noreturn]] void end() {
   try {
@@ -121,5 +142,6 @@ int main(int argc, char** argv) {
   reserve = new char[std::size_t{1} << 20U];
   std::set_new_handler(give_back);
   std::set_terminate(end);
+  ask_for_no_more_than_there_is();
   return run_program(argc, argv, std::cout, std::cerr, std::array<AddCommand, 1>{add_cohort});
 }

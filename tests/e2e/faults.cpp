@@ -4,7 +4,9 @@
 //   memories n   that and all later ones get none
 //   bytes n      regular files take n bytes together, as on a disk that fills
 //   change n     the n-th change of a file or folder (creating, writing, syncing, renaming, linking) is
-//   refused look n       before the n-th look at files IMPINGE_VICTIM is changed, as IMPINGE_DEED says
+//                refused
+//   look n       before the n-th look at files IMPINGE_VICTIM is changed, as IMPINGE_DEED says
+//   machine n    the machine has n MiB of memory
 // Counted is from main() on. IMPINGE_COUNTS names a file for the numbers of requests, bytes, changes and
 // looks of a run.
 #include <algorithm>
@@ -19,6 +21,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/sysinfo.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
@@ -138,6 +141,15 @@ int posix_memalign(void** to, size_t alignment, size_t size) {
   void* const got = no_memory() ? nullptr : __libc_memalign(alignment, size);
   if (got != nullptr) *to = got;
   return got == nullptr ? ENOMEM : 0;
+}
+
+int sysinfo(struct sysinfo* machine) {
+  const auto done = static_cast<int>(::syscall(SYS_sysinfo, machine));
+  if (done == 0 && kind == "machine") {
+    machine->totalram = (static_cast<unsigned long>(at) << 20U) / machine->mem_unit;
+    machine->totalswap = 0;
+  }
+  return done;
 }
 
 ssize_t write(int handle, const void* data, size_t size) {

@@ -111,6 +111,16 @@ class Faults(unittest.TestCase):
         """One request, or all from one on."""
         self.sweep("memory", "memories")
 
+    def test_a_small_machine(self):
+        """Before the kernel kills the program it says that memory is short."""
+        command = "limits --motions flexion"
+        screen, files, _ = self.undisturbed(command)
+        for mib in (16, 32, 64, 128, 256, 512, 1024):
+            with self.subTest(mib=mib):
+                self.one(command, f"machine {mib}", screen, files, older=mib > 64)
+        self.assertGreater(self.done["machine", 0], 0)
+        self.assertGreater(self.done["machine", 1], 0)
+
     def test_disk(self):
         """It takes n bytes, or not the n-th change."""
         self.sweep("bytes", "change")
