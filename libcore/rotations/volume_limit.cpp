@@ -112,7 +112,7 @@ VolumeLimit MotionVolume::limit(const JointTurn& turn, double largest_deg) const
       found.high_deg =
           at.angles.low > 0.0 ? std::min(2.0 * (at.angles.low + 2.0 * kJoined) / kDegree, largest_deg) : 0.0;
   }
-  found.low_deg = free < largest ? 2.0 * std::max(0.0, free - kJoined) / kDegree : largest_deg;
+  found.low_deg = free < largest ? 2.0 * std::max(0.0, free - 2.0 * kJoined) / kDegree : largest_deg;
   // The finest cell there, but for one that the way leaves there by a part that is free.
   const Quaternion4 q = std::cos(free) * way.from + std::sin(free) * way.across;
   const auto rank = [&](const VolumeCell& cell) {
