@@ -327,9 +327,9 @@ TEST(CellTest, NothingIsFreeWhereAPartComesThroughAMouth) {
               radius < 0.01 ? CellState::free : CellState::open);
 }
 
-// A small ball that ends 2 degrees beyond the rim of a cup, which a centre beside the origin sees bare.
+// A small ball that ends 2.4 degrees beyond the rim of a cup, which a centre beside the origin sees bare.
 TEST(CellTest, ABallEndsEarlierForAnotherCentre) {
-  const BallSocketPair joint{cup(8.0, 62.0, 2000), cup(26.0, 60.0, 300)};
+  const BallSocketPair joint{cup(8.0, 62.4, 20000), cup(26.0, 60.0, 300)};
   const Vec3 off(0.25, 0.0, -0.433);
   const Vec3 rim = 26.0 * Vec3(std::sin(60.0 * kDegree), 0.0, std::cos(60.0 * kDegree));
   ASSERT_TRUE(
