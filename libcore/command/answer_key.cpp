@@ -5,6 +5,7 @@
 
 #include "files/formatted.hpp"
 #include "joint/joint_document.hpp"
+#include "report/answer_document.hpp"
 
 namespace impinge {
 namespace {
@@ -37,7 +38,7 @@ std::string answer_key(const SessionJoint& joint, const Json& request, std::stri
   if (const auto& map = joint.joint.cartilage)
     key = hash_of(std::span(map->thickness), hash_of(std::span(map->directions), key));
   key = fnv1a(text_of(json_of(describe(joint, {}))) + text_of(request), key);
-  key = fnv1a(version, key);
+  key = fnv1a(version, fnv1a(commit(), key));
   return formatted("%016llx", static_cast<unsigned long long>(key));
 }
 

@@ -136,9 +136,7 @@ std::string details_of(const LimitsAnswer& found) {
 }
 
 std::string describe_angles(const Joint& joint) {
-  const bool neutral = joint.frames && joint.frames->femur;
-  return std::string("angles              from the ") +
-         (neutral ? "neutral pose of the landmarks" : "pose of the scan") +
+  return std::string("angles              from the ") + name_of_rest(joint) +
          "; limits are rounded down, upper ends of ranges up\n";
 }
 

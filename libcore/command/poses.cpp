@@ -146,6 +146,8 @@ void answer_all(const SessionJoint& joint, const PoseList& list, const PoseSerie
 std::string describe_poses(const PosesAnswer& found) {
   std::string text = formatted("poses               %zu", found.number_of_poses);
   if (found.touching) text += formatted(", %zu of them touch", *found.touching);
+  if (found.unknown.value_or(0) > 0)
+    text += formatted(", of %zu it is not known: they hang on an opening of a mesh", *found.unknown);
   if (found.untracked > 0)
     text += formatted(", %zu without numbers: untracked in poses.csv", found.untracked);
   text += "\n";
@@ -165,7 +167,7 @@ Told told(Session& session, const PosesRequest& request, const Work& work) {
   given += std::to_string(static_cast<int>(list.kind)) + ",";
   for (const double value : list.values) given += Cell(value).text() + ",";
   PosesAnswer none;
-  if (request.asks(PosesOutput::touch)) none.touching = 0;
+  if (request.asks(PosesOutput::touch)) none.touching = none.unknown = 0;
   if (const std::string doubt = doubt_of(request, joint, list); !doubt.empty()) {
     work.warn(doubt);
     none.doubt = doubt;
@@ -174,8 +176,10 @@ Told told(Session& session, const PosesRequest& request, const Work& work) {
   answer_all(joint, list, series, request, work, rows);
   Told told{.words = describe_poses(rows.found()), .document = json_of(rows.found())};
   told.wrote = rows.finished();
-  told.row_of_one = {
-      {"poses", "/number_of_poses"}, {"touching", "/touching"}, {"smallest_gap_mm", "/smallest_gap/gap_mm"}};
+  told.row_of_one = {{"poses", "/number_of_poses"},
+                     {"touching", "/touching"},
+                     {"unknown", "/unknown"},
+                     {"smallest_gap_mm", "/smallest_gap/gap_mm"}};
   return told;
 }
 

@@ -17,6 +17,7 @@
 #include "files/formatted.hpp"
 #include "files/rows.hpp"
 #include "files/temporary_file.hpp"
+#include "joint/touch.hpp"
 #include "report/volume_picture.hpp"
 
 namespace impinge {
@@ -137,7 +138,8 @@ std::string never_decided(const SessionJoint& joint, const BodyPairs& bodies) {
          "joint";
 }
 
-std::string words_of_volume(const VolumeAnswer& found, const VolumeRequest& request, const std::string& why) {
+std::string words_of_volume(const VolumeAnswer& found, const VolumeRequest& request, const Joint& joint,
+                            const std::string& why) {
   const VolumeShares& shares = found.shares();
   std::string text = formatted("free                %.2f to %.2f %% of all rotations", 100.0 * shares.low(),
                                100.0 * shares.high());
@@ -150,9 +152,10 @@ std::string words_of_volume(const VolumeAnswer& found, const VolumeRequest& requ
       "                    of bones alone: ligaments and muscles forbid most of what bones allow",
       1e-6 * found.mobility_low_deg3(), 1e-6 * found.mobility_high_deg3());
   if (found.by_radii && shares.high() < 1.0) text += "\n" + std::string(kBlockedByRadii);
-  if (found.neutral_blocked()) return text + "\nreachable           none: the pose of the scan is blocked\n";
-  text += formatted("\nreachable           %.2f to %.2f %% from the pose of the scan without contact\n",
-                    100.0 * shares.reached(), 100.0 * shares.within_reach());
+  if (found.neutral_blocked())
+    return text + formatted("\nreachable           none: the %s is blocked\n", name_of_rest(joint));
+  text += formatted("\nreachable           %.2f to %.2f %% from the %s without contact\n",
+                    100.0 * shares.reached(), 100.0 * shares.within_reach(), name_of_rest(joint));
   if (request.play_mm > 0.0)
     text += "                    at least: without a shift, for between two shifts bones may meet\n";
   if (shares.open > request.width)
@@ -195,7 +198,7 @@ Told tell_volume(Session& session, const VolumeRequest& request, const Work& wor
   const std::string why = never_decided(*session.joint, session.joint->bodies());
   if (!why.empty()) work.say(why);
   const VolumeAnswer found = refined(session, request, work, told);
-  told.words = words_of_volume(found, request, why);
+  told.words = words_of_volume(found, request, session.joint->joint, why);
   told.document = json_of(found);
   for (const char* share : {"share_low", "share_high", "reachable_low", "reachable_high", "unknown", "open"})
     told.row_of_one.push_back({share, std::string("/") + share});

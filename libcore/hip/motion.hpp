@@ -77,6 +77,9 @@ struct JointTurn {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // unit vector
   /// Rotation by the growing angle's start value and the angles that are applied before it.
   Eigen::Matrix3d inner = Eigen::Matrix3d::Identity();
+  /// Rotation that the ball's mesh has from its scan, by landmarks of the femur. It matters to other centres
+  /// alone, about which it would have shifted the ball.
+  Eigen::Matrix3d rest = Eigen::Matrix3d::Identity();
 };
 /// The turn that begins at `start`. Throws std::invalid_argument as joint_rotation() does.
 JointTurn joint_turn(const Motion& start, const MotionName& growing, std::optional<Side> side);

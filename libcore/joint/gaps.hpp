@@ -44,8 +44,7 @@ struct GapsRequest {
   double cartilage_mm = 4.0;
 
   static constexpr std::tuple fields{
-      Field{"pose", "", "of the ball, from the pose of the scan, as flexion=90,internal_rotation=10",
-            &GapsRequest::pose},
+      Field{"pose", "", "of the ball, as flexion=90,internal_rotation=10", &GapsRequest::pose},
       Field{"scheme", "", "read gaps from tables of this sampling scheme, not from the faces",
             &GapsRequest::scheme},
       Field{"precision_deg", "deg", "spacing of the tables; also turns tables on [0.5 with a scheme]",

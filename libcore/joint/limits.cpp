@@ -15,6 +15,7 @@
 #include "hip/named_motion.hpp"
 #include "joint/document.hpp"
 #include "joint/pose_answer.hpp"
+#include "joint/touch.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/mesh_parts.hpp"
 #include "mesh/weld.hpp"
@@ -115,7 +116,8 @@ LimitAnswer answered(Session& session, const LimitRequest& asked, Surface about,
   SessionJoint& joint = *session.joint;
   const bool of_socket = about == Surface::socket;
   const CentredLimits& centred = limits_about(session, about);
-  const JointTurn turn = joint_turn(asked.start, motion_name(asked.growing), joint.side);
+  JointTurn turn = joint_turn(asked.start, motion_name(asked.growing), joint.side);
+  turn.rest = turn_from_scan(joint);
   LimitAnswer limit;
   limit.motion = asked.motion.empty() ? asked.growing : asked.motion;
   limit.centre = name(about);

@@ -54,7 +54,7 @@ struct LimitsRequest {
             "external_rotation_at_90, fadir (internal rotation at 90 of flexion and 15 of adduction), faber "
             "(external rotation at 45 of flexion and 30 of abduction) [all; with a pose, the first six]",
             &LimitsRequest::motions},
-      Field{"pose", "", "where motions begin, as flexion=90 [the pose of the scan]", &LimitsRequest::pose},
+      Field{"pose", "", "where motions begin, as flexion=90 [all angles 0]", &LimitsRequest::pose},
       Field{"largest_deg", "deg", "growth that is looked at", &LimitsRequest::largest_deg, kPositive},
       Field{"translation", "mm", "X,Y,Z by which the ball is shifted first, frame of the meshes [none]",
             &LimitsRequest::translation},
@@ -63,7 +63,7 @@ struct LimitsRequest {
             &LimitsRequest::cartilage_mm, kNotNegative},
       Field{"rim", "",
             "the rim alone: where the socket's bone within 2.5 mm of its rim (a tenth of its radius) meets "
-            "neck, trochanter or shaft; other contact is ignored, also in the pose of the scan",
+            "neck, trochanter or shaft; other contact is ignored, also where all angles are 0",
             &LimitsRequest::rim}};
   /// Throws std::invalid_argument for an unknown motion, and for a pose with a motion that has its own.
   void check() const;

@@ -2,6 +2,7 @@
 #include "joint/poses.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "files/file_error.hpp"
@@ -21,6 +22,7 @@ void add_row(std::string_view touch, const std::optional<SmallestOfPoses>& gap, 
   ++all.number_of_poses;
   if (touch == "untracked") ++all.untracked;
   if (all.touching && touch == "yes") ++*all.touching;
+  if (all.unknown && touch.empty()) ++*all.unknown;
   if (!gap || (all.smallest_gap && gap->gap_mm >= all.smallest_gap->gap_mm)) return;
   all.smallest_gap = gap;
   all.smallest_gap->pose = all.number_of_poses;
@@ -34,10 +36,16 @@ void add_row(const PoseRow& row, PosesAnswer& all) {
 }
 
 PoseList list_of(const PosesRequest& request, const SessionJoint& joint) {
+  const bool from_neutral = joint.joint.frames && joint.joint.frames->femur;
   if (request.path) {
     PoseList grid = parse_pose_grid(*request.path);
     if (grid.needs_side() && !joint.side)
       throw std::invalid_argument("side: abduction and rotation need to know it; give left or right");
+    if (grid.from_scan() && from_neutral)
+      throw std::invalid_argument(
+          "path: its turns begin at the pose of the scan, and landmarks of the femur at neutral; give "
+          "flexion, "
+          "abduction and rotation, or leave the landmarks out");
     return grid;
   }
   const std::filesystem::path& file = request.poses.value();
@@ -45,7 +53,7 @@ PoseList list_of(const PosesRequest& request, const SessionJoint& joint) {
   if (list.needs_side() && !joint.side)
     throw FileError(file, "has angles that turn opposite ways on the two sides",
                     "say which with --side left or right");
-  if (list.from_scan() && joint.joint.frames && joint.joint.frames->femur)
+  if (list.from_scan() && from_neutral)
     throw FileError(file, "its poses begin at that of the scan, and landmarks of the femur at neutral",
                     "give angles, or leave the landmarks out");
   return list;
@@ -58,7 +66,24 @@ Pose pose_in(const SessionJoint& joint, const PoseList& list, std::size_t row) {
   return {joint.axes.transpose() * own.rotation * joint.axes, own.translation};
 }
 
+// Does the joint move, but no angle by more than pi, as where a recording is in radians?
+static bool may_be_radians(const PoseList& list) {
+  constexpr std::size_t kFewest = 10;  // rows of a recording
+  constexpr double kMoves = 0.5;
+  if (list.size() < kFewest || list.kind > PoseKind::steps) return false;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < list.values.size(); ++k) {
+    const int number = list.columns[k % list.width()].number;
+    const double angle = std::abs(list.values[k]);
+    if (number >= 0 && number < 3 && angle > largest) largest = angle;
+  }
+  return largest > kMoves && largest <= kPi;
+}
+
 std::string doubt_of(const PosesRequest& request, const SessionJoint& joint, const PoseList& list) {
+  if (request.poses && may_be_radians(list))
+    return request.poses->string() +
+           ": no angle is above pi, as if they were in radians; they are read as degrees, check them";
   if (!list.shifts()) return {};
   const auto pose_at = [&](std::size_t row) {
     return list.tracked(row) ? pose_in(joint, list, row) : Pose();

@@ -112,6 +112,7 @@ struct PosesAnswer {
   std::size_t number_of_poses = 0;
   std::size_t untracked = 0;
   std::optional<std::size_t> touching;
+  std::optional<std::size_t> unknown;
   std::optional<SmallestOfPoses> smallest_gap;
   std::optional<std::string> doubt;
 
@@ -119,6 +120,8 @@ struct PosesAnswer {
       Field{"number_of_poses", "1", "rows of poses.csv", &PosesAnswer::number_of_poses},
       Field{"untracked", "1", "of these without numbers", &PosesAnswer::untracked},
       Field{"touching", "1", "of these in contact; null if not asked for", &PosesAnswer::touching},
+      Field{"unknown", "1", "of these in which contact hangs on an opening of a mesh; null if not asked for",
+            &PosesAnswer::unknown},
       Field{"smallest_gap", "", "of all poses; null if there is none or it was not asked for",
             &PosesAnswer::smallest_gap},
       Field{"doubt", "", "what looks wrong with the poses; null if nothing does", &PosesAnswer::doubt}};

@@ -32,8 +32,7 @@ struct CertifyRequest {
   std::optional<std::string> motion;
 
   static constexpr std::tuple fields{
-      Field{"pose", "", "that is proven, or that the motion begins at [the pose of the scan]",
-            &CertifyRequest::pose},
+      Field{"pose", "", "that is proven, or that the motion begins at [all angles 0]", &CertifyRequest::pose},
       Field{"motion", "",
             "prove the way from the pose to the limit of this motion, as flexion [none: the pose alone]",
             &CertifyRequest::motion}};

@@ -28,7 +28,7 @@ struct ReportRequest {
   std::optional<double> cartilage_mm;
 
   static constexpr std::tuple fields{
-      Field{"pose", "", "whose gaps are shown, as flexion=90,internal_rotation=10 [the pose of the scan]",
+      Field{"pose", "", "whose gaps are shown, as flexion=90,internal_rotation=10 [all angles 0]",
             &ReportRequest::pose},
       Field{"without", "", "what is left out; `volume` takes longest [nothing]", &ReportRequest::without},
       Field{"width", "1", "of the volume: share of all rotations that may stay undecided, up to 1",

@@ -56,21 +56,21 @@ TriangleMesh whole_of(const SessionJoint& joint, const Resection& cut) {
   return whole;
 }
 
-// Refuses a joint that is not free in the pose of the scan.
+// Refuses a joint that is not free where all angles are 0.
 void require_free_start(const Joint& joint, const TurnLimits& limits, const RequiredLeg& leg,
                         double clearance) {
   JointTurn still = leg.turn;
   still.inner = still.outer = Eigen::Matrix3d::Identity();
   const BodyPairs::Verdict start = limits.verdict(still, 0.0);
   if (start.contact == Contact::yes) {
-    throw std::runtime_error(
-        meet(joint, start.pair.ball, start.pair.socket) +
-        " in the pose of the scan, before any required motion; check the meshes and the centre");
+    throw std::runtime_error(meet(joint, start.pair.ball, start.pair.socket) + " in the " +
+                             name_of_rest(joint) +
+                             ", before any required motion; check the meshes and the centre");
   }
   const auto gap = limits.smallest_gap(still, 0.0);
   if (gap && gap->gap_mm < clearance)
-    throw std::runtime_error("the pose of the scan has a gap of " + rounded_up(gap->gap_mm, 3) +
-                             " mm, less than the clearance; give a smaller one");
+    throw std::runtime_error(std::string("the ") + name_of_rest(joint) + " has a gap of " +
+                             rounded_up(gap->gap_mm, 3) + " mm, less than the clearance; give a smaller one");
 }
 
 void require_whole_ball(const RequiredLeg& leg, const TurnLimit& after) {

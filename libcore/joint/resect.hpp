@@ -163,7 +163,7 @@ struct ResectAnswer : CutSize {
 /// std::invalid_argument as check() does, or if a motion needs a side.
 ///
 /// A cut is refused if
-///   * the pose of the scan already touches, or has a gap below the clearance;
+///   * the pose with all angles 0 already touches, or has a gap below the clearance;
 ///   * the mesh of the ball ends under the socket on the way: the missing bone may be in the way too;
 ///   * it reaches the bearing surface of the ball: vertices that face the socket in the pose of the scan and
 ///     lie within SphereFit::trim of the sphere that fits the head (hip/sphere_fit.hpp);

@@ -181,6 +181,10 @@ std::string describe_threshold(const TouchAnswer& found, const std::string& pose
          ": every limit for that gap is blocked from the start; give a smaller one";
 }
 
+const char* name_of_rest(const Joint& joint) {
+  return joint.frames && joint.frames->femur ? "neutral pose of the landmarks" : "pose of the scan";
+}
+
 Pose scanned_pose(const SessionJoint& joint) {
   const auto& frames = joint.joint.frames;
   Pose scanned;
@@ -188,9 +192,13 @@ Pose scanned_pose(const SessionJoint& joint) {
   return scanned;
 }
 
+Eigen::Matrix3d turn_from_scan(const SessionJoint& joint) {
+  return joint.axes * scanned_pose(joint).rotation.transpose() * joint.axes.transpose();
+}
+
 void warn_of_contact(SessionJoint& joint, const ScanContactOptions& options) {
   const bool turned = joint.joint.frames && joint.joint.frames->femur;
-  const std::string start = turned ? "in the neutral pose of the landmarks" : "as scanned";
+  const std::string start = turned ? std::string("in the ") + name_of_rest(joint.joint) : "as scanned";
   const TouchAnswer found = touch_in(joint, Pose());
   warn(describe_contact(found, start, options), joint);
   if (options.threshold_mm > 0.0) warn(describe_threshold(found, start, options), joint);

@@ -79,8 +79,7 @@ struct TouchRequest {
   Motion pose;
 
   static constexpr std::tuple fields{
-      Field{"pose", "", "of the ball, from the pose of the scan, as flexion=90,internal_rotation=10",
-            &TouchRequest::pose}};
+      Field{"pose", "", "of the ball, as flexion=90,internal_rotation=10", &TouchRequest::pose}};
 };
 
 struct TouchAnswer {
@@ -141,8 +140,13 @@ std::string describe_contact(const TouchAnswer& found, const std::string& pose,
 std::string describe_threshold(const TouchAnswer& found, const std::string& pose,
                                const ScanContactOptions& options);
 
+/// The pose in which all angles are 0, in words: that of the scan, unless landmarks of a femur turned it.
+const char* name_of_rest(const Joint& joint);
+
 /// The pose of the scan, before landmarks of a femur turned it to neutral.
 Pose scanned_pose(const SessionJoint& joint);
+/// Its inverse in the joint frame: how landmarks turned the ball.
+Eigen::Matrix3d turn_from_scan(const SessionJoint& joint);
 
 /// Adds these lines to the joint's warnings for the pose of the scan, where motions begin. If landmarks
 /// turned the femur to neutral, it adds them for both poses.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "hip/named_motion.hpp"
+#include "joint/touch.hpp"
 
 namespace impinge {
 namespace {
@@ -74,7 +75,8 @@ CellTest cell_test(const SessionJoint& joint, const TriangleMesh& socket, const 
 VolumeAnswer answer(Session& session, const VolumeRequest& request, VolumeSettings how) {
   const SessionJoint& joint = *session.joint;
   const CellTest test =
-      cell_test(joint, joint.joint.socket.mesh, {request.gap_mm, request.centre_within_mm, request.play_mm});
+      cell_test(joint, joint.joint.socket.mesh,
+                {request.gap_mm, request.centre_within_mm, request.play_mm, turn_from_scan(joint)});
   how.width = request.width;
   if (request.play_mm > 0.0) how.most_cells = std::min(how.most_cells, kMostPlayCells);
   VolumeAnswer found{

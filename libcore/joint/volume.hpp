@@ -93,10 +93,12 @@ struct VolumeAnswer {
           "(Manafzadeh and Gatesy 2020); of 14,851,066 in all, at least",
           &VolumeAnswer::mobility_low_deg3},
       Field{"mobility_high_deg3", "deg^3", "at most", &VolumeAnswer::mobility_high_deg3},
-      Field{"reachable_low", "1", "share that is reached from the pose of the scan without contact, at least",
+      Field{"reachable_low", "1",
+            "share that is reached without contact from where all angles are 0, at least",
             via(&VolumeAnswer::shares, &VolumeShares::reached)},
       Field{"reachable_high", "1", "at most", via(&VolumeAnswer::shares, &VolumeShares::within_reach)},
-      Field{"neutral_blocked", "", "is the pose of the scan blocked?", &VolumeAnswer::neutral_blocked},
+      Field{"neutral_blocked", "", "does contact block the pose in which all angles are 0?",
+            &VolumeAnswer::neutral_blocked},
       Field{"by_radii", "", kByRadii, &VolumeAnswer::by_radii},
       Field{"unknown", "1", "share of which nothing is known: the ball's mesh ends there",
             via(&VolumeAnswer::shares, &VolumeShares::unknown)},
@@ -136,7 +138,7 @@ struct VolumeRow {
             &VolumeRow::free},
       Field{"blocked", "1", "the same, that is blocked", &VolumeRow::blocked},
       Field{"state", "", "free, blocked, unknown, or open: undecided", &VolumeRow::state},
-      Field{"reachable", "", "without contact from the pose of the scan; empty where it is not known",
+      Field{"reachable", "", "without contact from where all angles are 0; empty where it is not known",
             &VolumeRow::reachable}};
 };
 VolumeRow volume_row(const VolumeCell& at);

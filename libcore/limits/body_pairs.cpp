@@ -127,12 +127,17 @@ double Opening::beside(const Triangle& x) const {
   return (of.min() - box.max()).cwiseMax(box.min() - of.max()).maxCoeff();
 }
 
-// 1 if the normals point out of the bone: a ball's away from the centre, a socket's towards it. Else -1.
-static int winding(const TriangleMesh& mesh, bool ball) {
+// 1 if the normals point out of the bone: a ball's away from the centre, a socket's towards it. Else -1. Of a
+// socket those faces count that the centre sees, as the other side of its bone may be in the mesh too.
+static int winding(const TriangleMesh& mesh, const SweptParts& faces, bool ball) {
+  constexpr std::size_t kAsked = 1000;  // faces of a socket, about
+  constexpr double kBefore = 1.0 - 1e-6;
   double volume = 0.0;
-  for (const Face& face : mesh.faces) {
-    const auto [a, b, c] = corners_of(mesh, face);
-    volume += a.dot(b.cross(c));
+  for (std::size_t f = 0; f < mesh.faces.size(); f += ball ? 1 : 1 + mesh.faces.size() / kAsked) {
+    const auto [a, b, c] = corners_of(mesh, mesh.faces[f]);
+    const Vec3 before = kBefore / 3.0 * (a + b + c);
+    const auto hides = [&](const Triangle& face) { return meets_segment(face, Vec3::Zero(), before); };
+    if (ball || !visit_near(faces, Vec3::Zero(), before, hides)) volume += a.dot(b.cross(c));
   }
   return (volume > 0.0) == ball ? 1 : -1;
 }
@@ -150,7 +155,7 @@ BodyPairs::Body::Body(const TriangleMesh& of, bool turns, Is what) {
   find_openings(each);
   for (const Vec3& x : mesh.vertices) box.extend(x);
   hollow = what != Is::part && !turns && openings.empty() && encloses(Vec3::Zero()) == Contact::yes;
-  if (what == Is::main && sheet) wound = winding(mesh, turns);
+  if (what == Is::main && sheet) wound = winding(mesh, faces(), turns);
   find_pieces(mesh);
 }
 

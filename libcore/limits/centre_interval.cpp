@@ -56,11 +56,11 @@ bool clear_of_jumps(const TriangleMesh& mesh, const std::vector<JumpEdge>& jumps
   });
 }
 
-// The trace of the rotation R as a function of the angle. A common centre shifts the ball by at most
-// r root(3 - tr R).
+// The trace of the rotation R from the scan as a function of the angle. A common centre shifts the ball by at
+// most r root(3 - tr R).
 Sinusoid trace_of(const JointTurn& turn) {
   const Eigen::Matrix3d upright = rotation_to_z(turn.axis);
-  const Eigen::Matrix3d m = upright * turn.inner * turn.outer * upright.transpose();
+  const Eigen::Matrix3d m = upright * turn.inner * turn.rest * turn.outer * upright.transpose();
   return {m(0, 0) + m(1, 1), m(0, 1) - m(1, 0), m(2, 2)};
 }
 
@@ -169,10 +169,10 @@ bool CentreIntervals::has_crossed(const Way& way, const ScannedVertex& at) const
   };
   const Vec3 end = place(way.angle_deg);
   const double rounding = kCertainMargin * (from.norm() + facing.faces.nodes()[0].farthest);
-  const double moved = most_shift(way) + rounding;
+  const double moved = most_shift(way.turn, way.angle_deg) + rounding;
   if (layers_passed(at, end).value_or(0) % 2 == 0 || layers_passed(at, place(way.free_deg)) != 0 ||
       !facing.faces.farther_than(moved, end) ||
-      !facing.faces.farther_than(shift(pose_of(way.turn, 0.0)) + rounding, place(0.0)))
+      !facing.faces.farther_than(shift(way.turn, pose_of(way.turn, 0.0)) + rounding, place(0.0)))
     return false;
   const double half = 0.5 * kStep * kDegree * (1.0 + kBeside);
   for (double angle = 0.5 * kStep; angle < way.angle_deg + 0.5 * kStep; angle += kStep) {
@@ -189,9 +189,9 @@ bool CentreIntervals::has_crossed(const Way& way, const ScannedVertex& at) const
 }
 
 // The largest shift on all of the way, mm.
-double CentreIntervals::most_shift(const Way& way) const {
+double CentreIntervals::most_shift(const JointTurn& turn, double to_deg) const {
   if (question_.doubt == CentreDoubt::play) return question_.within_mm;
-  const double least = least_in(trace_of(way.turn), {0.0, way.angle_deg * kDegree});
+  const double least = least_in(trace_of(turn), {0.0, to_deg * kDegree});
   return question_.within_mm * std::sqrt(std::max(0.0, 3.0 - least));
 }
 
@@ -265,7 +265,7 @@ std::optional<double> CentreIntervals::high_deg(const JointTurn& turn, const Cen
   const NearContact near = limit.contact ? near_contact(turn, *limit.contact) : NearContact{};
   const auto ask = [&](double angle_deg) {
     const Pose pose = pose_of(turn, angle_deg);
-    const Way way{turn, limit.low_deg, angle_deg, pose, shift(pose)};
+    const Way way{turn, limit.low_deg, angle_deg, pose, shift(turn, pose)};
     return contact_always(way, near) || (question_.gap_mm > 0.0 && gap_always(way));
   };
   double before = limit.high_deg;
@@ -284,9 +284,9 @@ std::optional<double> CentreIntervals::high_deg(const JointTurn& turn, const Cen
   return std::nullopt;
 }
 
-double CentreIntervals::shift(const Pose& pose) const {
+double CentreIntervals::shift(const JointTurn& turn, const Pose& pose) const {
   if (question_.doubt == CentreDoubt::play) return question_.within_mm;
-  return question_.within_mm * std::sqrt(std::max(0.0, 3.0 - pose.rotation.trace()));
+  return question_.within_mm * std::sqrt(std::max(0.0, 3.0 - (pose.rotation * turn.rest).trace()));
 }
 
 }  // namespace impinge

@@ -64,6 +64,8 @@ class CentreIntervals {
   /// contact at the start, or, for a threshold, if a surface comes within r of the origin. About the origin
   /// there must be no contact at the start.
   double low_deg(const JointTurn& turn, double to_deg) const;
+  /// The largest shift of the ball up to that angle, mm.
+  double most_shift(const JointTurn& turn, double to_deg) const;
   /// The least angle found by which every centre has had contact, or the gap; none if none was found.
   std::optional<double> high_deg(const JointTurn& turn, const CentreLimit& limit) const;
 
@@ -99,8 +101,7 @@ class CentreIntervals {
   bool is_certain(const Way& way, const ScannedVertex& at) const;
   bool has_crossed(const Way& way, const ScannedVertex& at) const;
   std::optional<int> layers_passed(const ScannedVertex& at, const Vec3& x) const;
-  double shift(const Pose& pose) const;
-  double most_shift(const Way& way) const;
+  double shift(const JointTurn& turn, const Pose& pose) const;
 
   const CulledJoint& joint_;
   CentreQuestion question_;

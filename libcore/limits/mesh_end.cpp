@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
+
+#include "mesh/triangle_distance.hpp"
+#include "sphere/direction.hpp"
 
 namespace impinge {
 namespace {
@@ -41,7 +45,50 @@ void add_passes(const Arc& arc, const Vec3& y, double largest, std::vector<doubl
   }
 }
 
+// The first angle up to `largest` at which the direction y may be within `near` radians of the turning arc:
+// near its circle, and no farther from the arc's middle than its ends are.
+std::optional<double> first_near(const Arc& arc, const Vec3& y, double near, double largest) {
+  const Vec3 middle = (arc.from + arc.to).stableNormalized();
+  const double ends = std::min(kPi, angle_between(arc.from, middle) + near + kBehind);
+  const double low = std::cos(ends);
+  const double across = std::max(arc.across.norm(), kOnArc);
+  const double beside = near < 0.5 * kPi ? std::sin(near) + kBehind : 2.0;
+  std::optional<double> first;
+  for (const AngleSpan& circle : near_zero(turned_dot(arc.across / across, y), beside)) {
+    Sinusoid along = turned_dot(middle, y);
+    along.constant -= 0.5 * (1.0 + low);
+    for (const AngleSpan& about : near_zero(along, 0.5 * (1.0 - low) + kOnArc)) {
+      const double from = std::max(circle.from, about.from);
+      if (from <= std::min({circle.to, about.to, largest})) first = std::min(first.value_or(from), from);
+    }
+  }
+  return first;
+}
+
 }  // namespace
+
+std::optional<double> first_near_border(const MeshEnd& end, double largest, double shift, double within) {
+  std::vector<std::pair<Arc, double>> arcs;  // and by how much their directions may change, radians
+  for (const auto& [a, b] : end.border) {
+    const double nearest = std::sqrt(squared_distance_to_segment(Vec3::Zero(), end.ball[a], end.ball[b]));
+    arcs.emplace_back(arc_of(end.ball[a], end.ball[b]), within < nearest ? std::asin(within / nearest) : kPi);
+  }
+  std::optional<double> first;
+  for (std::size_t i = 0; i < end.socket.size(); ++i) {
+    const double length = end.socket[i].norm();
+    const double aside = shift < length ? std::asin(shift / length) : kPi;
+    const Vec3 y = end.socket[i].stableNormalized();
+    std::optional<double> of_point;
+    for (const auto& [arc, change] : arcs) {
+      const double near = std::min(kPi, aside + change);
+      if (y.z() < arc.z_low - near || y.z() > arc.z_high + near) continue;
+      const auto found = first_near(arc, y, near, of_point.value_or(first.value_or(largest)));
+      if (found) of_point = found;
+    }
+    if (of_point && end.covered(i, 0.0)) first = of_point;
+  }
+  return first;
+}
 
 std::optional<double> first_beyond(const MeshEnd& end, double largest) {
   std::vector<Arc> arcs;

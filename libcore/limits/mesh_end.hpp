@@ -26,4 +26,8 @@ struct MeshEnd {
 /// and is not covered 1e-9 rad later; none if there is none.
 std::optional<double> first_beyond(const MeshEnd& end, double largest);
 
+/// The same for centres up to `within` mm away, with rays to points of the socket that are shifted by up to
+/// `shift` mm: an angle before which no such point passes the border about any of them.
+std::optional<double> first_near_border(const MeshEnd& end, double largest, double shift, double within);
+
 }  // namespace impinge

@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "limits/mesh_end.hpp"
+#include "mesh/jump_edges.hpp"
 #include "mesh/surface_vertices.hpp"
 #include "mesh/weld.hpp"
 
@@ -40,12 +40,19 @@ const SweptParts& faces_of(const BodyPairs& bodies, Surface of, const TriangleMe
   return are_faces_of(all, main) ? all : own = SweptParts(turn_faces(main));
 }
 
+// Where a ball may end, as the centre sees it.
+std::vector<Edge> ends_of(const TriangleMesh& ball) {
+  std::vector<Edge> ends;
+  for (const JumpEdge& edge : jump_edges(ball)) ends.push_back({edge.from, edge.to});
+  return ends;
+}
+
 }  // namespace
 
 TurnLimits::Answers::Answers(BallSocketPair joint, const BoneParts& beside)
     : bodies(joint, beside),
       meshes{without_edge_on(std::move(joint.ball)), without_edge_on(std::move(joint.socket))},
-      ends(bodies.ball_ends() ? boundary_edges(without_repeats(meshes.ball)) : std::vector<Edge>{}),
+      ends(bodies.ball_ends() ? ends_of(meshes.ball) : std::vector<Edge>{}),
       seen(surface_vertices(meshes.socket)),
       ball(faces_of(bodies, Surface::ball, meshes.ball, own[0])),
       socket(faces_of(bodies, Surface::socket, meshes.socket, own[1])) {}
@@ -57,10 +64,9 @@ TurnLimits::Answers::Answers(CutSurfaces surfaces)
       seen(surface_vertices(meshes.socket)),
       ball(faces_of(bodies, Surface::ball, meshes.ball, own[0])),
       socket(faces_of(bodies, Surface::socket, meshes.socket, own[1])) {
-  surfaces.uncut = without_repeats(std::move(surfaces.uncut));
-  if (boundary_edges(surfaces.uncut).empty()) return;
+  if (boundary_edges(without_repeats(surfaces.uncut)).empty()) return;
   uncut = without_edge_on(std::move(surfaces.uncut));
-  ends = boundary_edges(uncut);
+  ends = ends_of(uncut);
   whole.emplace(uncut, 0.0);
 }
 
@@ -158,13 +164,11 @@ void TurnLimits::make_limited(const JointTurn& turn, double angle, const TurnCon
   const Vec3 normal = turn.outer * contact.normal;
   limit.contact = TurnContact{contact.angle, contact.kind, turn.outer * contact.place, normal, contact.body};
   limit.deg_per_mm = each;
-  limit.centre_deg_per_mm = each * (normal - to_ball(pose_at(turn, contact.angle), normal)).norm();
+  limit.centre_deg_per_mm =
+      each * (normal - turn.rest.transpose() * to_ball(pose_at(turn, contact.angle), normal)).norm();
 }
 
-// Finds where the ball's mesh ends during the turn.
-void TurnLimits::end_of_mesh(const JointTurn& turn, double largest, const std::optional<double>& certain,
-                             TurnLimit& limit) const {
-  if (answers_->ends.empty()) return;
+MeshEnd TurnLimits::mesh_end(const JointTurn& turn) const {
   const NearFaces& ball = answers_->ball_faces();
   const std::vector<Vec3>& socket = answers_->meshes.socket.vertices;
   const Eigen::Matrix3d upright = rotation_to_z(turn.axis);
@@ -178,7 +182,14 @@ void TurnLimits::end_of_mesh(const JointTurn& turn, double largest, const std::o
     const Vec3 y = to_ball(pose_at(turn, angle), socket[answers_->seen[point]]);
     return !y.isZero(0.0) && !std::isnan(ball.radius(y.normalized(), Layer::farthest));
   };
-  const auto beyond = first_beyond(end, certain.value_or(largest));
+  return end;
+}
+
+// Finds where the ball's mesh ends during the turn.
+void TurnLimits::end_of_mesh(const JointTurn& turn, double largest, const std::optional<double>& certain,
+                             TurnLimit& limit) const {
+  if (answers_->ends.empty()) return;
+  const auto beyond = first_beyond(mesh_end(turn), certain.value_or(largest));
   if (!beyond) return;
   limit.leaves_mesh_deg = *beyond / kDegree;
   if (limit.state == LimitState::free) limit.state = LimitState::unknown;
@@ -222,13 +233,18 @@ CentreInterval TurnLimits::centre_interval(const JointTurn& turn, const TurnLimi
   const CentreIntervals& centres = intervals(question);
   CentreInterval interval{0.0, largest_deg, false};
   if (limit.state == LimitState::blocked && question.doubt == CentreDoubt::common &&
-      (turn.outer * turn.inner).isIdentity(0.0) && answers_->bodies.meet(pose_at(turn, 0.0)))
+      (turn.outer * turn.inner * turn.rest).isIdentity(0.0) && answers_->bodies.meet(pose_at(turn, 0.0)))
     return {0.0, 0.0, true};  // at rest no common centre moves the ball; gaps and radii are of rays from it
   if (limit.state != LimitState::blocked) interval.low_deg = centres.low_deg(turn, limit.low_deg);
   if (limit.state == LimitState::limited || limit.state == LimitState::blocked) {
     const auto high = centres.high_deg(turn, {limit.low_deg, limit.high_deg, largest_deg, limit.contact});
     interval.limited = high.has_value();
     interval.high_deg = high.value_or(largest_deg);
+  } else if (!answers_->ends.empty()) {
+    const double shift = centres.most_shift(turn, interval.low_deg);
+    const auto near =
+        first_near_border(mesh_end(turn), interval.low_deg * kDegree, shift, question.within_mm);
+    interval.low_deg = near.value_or(interval.low_deg * kDegree) / kDegree;
   }
   return interval;
 }

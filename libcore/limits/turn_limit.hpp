@@ -39,6 +39,7 @@
 #include "hip/motion.hpp"
 #include "limits/body_pairs.hpp"
 #include "limits/centre_interval.hpp"
+#include "limits/mesh_end.hpp"
 #include "limits/turn_contact.hpp"
 #include "mesh/ball_socket_pair.hpp"
 #include "mesh/mesh_parts.hpp"
@@ -114,6 +115,7 @@ class TurnLimits {
   TurnLimit bracket(const JointTurn& turn, double largest_deg, const Next& next,
                     const Reached& reached) const;
   void make_limited(const JointTurn& turn, double angle, const TurnContact& contact, TurnLimit& limit) const;
+  MeshEnd mesh_end(const JointTurn& turn) const;
   void end_of_mesh(const JointTurn& turn, double largest, const std::optional<double>& certain,
                    TurnLimit& limit) const;
 
@@ -124,7 +126,7 @@ class TurnLimits {
     const NearFaces& ball_faces() { return whole ? *whole : vertices().faces(Surface::ball); }
     BodyPairs bodies;               // made before the meshes are taken
     BallSocketPair meshes;          // the main surfaces, without their edge-on faces
-    std::vector<Edge> ends;         // border of the ball's mesh, where its bone is not closed
+    std::vector<Edge> ends;         // where the ball may end, if its bone is not closed (mesh_end.hpp)
     std::vector<VertexIndex> seen;  // vertices of the socket that have a face
     std::array<SweptParts, 2> own;  // faces of the main surfaces, where no body has just these
     const SweptParts& ball;         // faces of the main surfaces

@@ -139,6 +139,9 @@ TriangleMesh mesh_of_arrays(const std::string& name, const MeshArrays& arrays) {
     if (array.ndim() != 2 || array.shape(1) != 3)
       throw std::invalid_argument(name + ": give vertices and faces as two arrays of three columns");
   }
+  if (faces.shape(0) == 0)
+    throw std::invalid_argument(name +
+                                ": has no faces; give a row with the places of three vertices for each");
   return mesh_of(name, {{vertices.data(), static_cast<std::size_t>(vertices.size())},
                         {faces.data(), static_cast<std::size_t>(faces.size())}});
 }

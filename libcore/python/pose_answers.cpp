@@ -18,8 +18,8 @@ using Floats = py::array_t<float>;
 
 // The array for the gaps of a surface's vertices: the given one, or a new one.
 Floats gap_array(const PoseJoint& joint, Surface of, std::size_t poses, const py::object& given) {
-  const std::array<py::ssize_t, 2> shape{static_cast<py::ssize_t>(poses),
-                                         static_cast<py::ssize_t>(joint.joint().mesh(of).vertices.size())};
+  const std::array<py::ssize_t, 2> shape{
+      static_cast<py::ssize_t>(poses), static_cast<py::ssize_t>(joint.joint().bone(of).mesh.vertices.size())};
   if (given.is_none()) return Floats(shape);
   const bool fits = py::isinstance<Floats>(given) && py::array(given).ndim() == 2 &&
                     std::equal(shape.begin(), shape.end(), py::array(given).shape()) &&
@@ -69,12 +69,18 @@ py::tuple gaps(PoseJoint& joint, const py::object& given, const std::optional<do
 
 py::array touch(PoseJoint& joint, const py::object& given) {
   const std::vector<Pose> poses = poses_of(joint.joint(), given);
-  py::array_t<bool> found(static_cast<py::ssize_t>(poses.size()));
+  const auto count = static_cast<py::ssize_t>(poses.size());
+  py::array_t<bool> found(count);
+  py::array_t<bool> unknown(count);
   bool* const touches = found.mutable_data();
+  bool* const hangs = unknown.mutable_data();
   without_lock(poses.size(), [&](std::size_t k) {
-    touches[k] = joint.row(PosesOutput::touch, poses[k]).verdict->contact == Contact::yes;
+    const Contact contact = joint.row(PosesOutput::touch, poses[k]).verdict->contact;
+    touches[k] = contact == Contact::yes;
+    hangs[k] = contact == Contact::unknown;
   });
-  return found;
+  if (std::none_of(hangs, hangs + count, [](bool is) { return is; })) return found;
+  return py::module_::import("numpy").attr("ma").attr("masked_array")(found, unknown);
 }
 
 // A row of the array that smallest_gap() returns.
@@ -116,7 +122,9 @@ void bind_pose_answers(JointClass& joint) {
            "not met, and in cells of a table that it does not cover or jumps in.")
       .def("touch", &touch, py::arg("poses"),
            "touch(self, poses)\n--\n\n"
-           "Do the surfaces touch or overlap, edges and all? Exact; bool, shape (poses,).")
+           "Do the surfaces touch or overlap, edges and all? Exact; bool, shape (poses,). Where that hangs "
+           "on an "
+           "opening of a mesh, it is not known, and the array is masked there.")
       .def("smallest_gap", &smallest_gap, py::arg("poses"),
            "smallest_gap(self, poses)\n--\n\n"
            "A structured array of shape (poses,): gap_mm, bound_mm (proven, on its error), clock (hours), "

@@ -42,9 +42,14 @@ class PoseJoint {
 
   /// These serve one call at a time; a second thread waits. They are called without Python's lock.
   PoseRow row(PosesOutput output, const Pose& pose);
-  double cartilage_of_scan() {
+  /// work(joint).
+  template <class Work>
+  auto alone(const Work& work) {
     const std::scoped_lock lock(busy_);
-    return impinge::cartilage_of_scan(*session_.joint, "cartilage_of_scan");
+    return work(*session_.joint);
+  }
+  double cartilage_of_scan() {
+    return alone([](SessionJoint& joint) { return impinge::cartilage_of_scan(joint, "cartilage_of_scan"); });
   }
   template <class Request, class... How>
   auto ask(const Request& request, const How&... how) {

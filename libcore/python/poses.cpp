@@ -89,6 +89,13 @@ std::vector<Pose> poses_of(const SessionJoint& joint, const py::object& given) {
   const bool quaternions =
       !matrices && size(1) == 4 && (array.ndim() <= 2 || (array.ndim() == 3 && size(2) == 1));
   if (!matrices && !angles && !quaternions) refuse("an array of shape " + shape_text(array) + " holds none");
+  if (angles && array.size() == 9 && nearest_rotation(Eigen::Map<const Eigen::Matrix3d>(array.data())))
+    refuse("an array of shape (3, 3) that is a rotation would be read as three poses of angles");
+  if (!angles && joint.joint.frames && joint.joint.frames->femur)
+    throw std::invalid_argument(
+        "poses: matrices and quaternions begin at the pose of the scan, and landmarks of the femur at "
+        "neutral; "
+        "give angles, or leave the landmarks out");
   const auto stride = static_cast<std::size_t>(matrices ? 4 * size(2) : size(1));
   std::vector<Pose> poses(static_cast<std::size_t>(array.size()) / stride);
   for (std::size_t k = 0; k < poses.size(); ++k) {

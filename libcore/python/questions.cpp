@@ -54,23 +54,26 @@ struct PosesRows : PosesAnswer {
   PoseList list;
 };
 
-PosesRows ask_poses(PoseJoint& joint, const PosesRequest& request) {
+PosesRows rows_of(const SessionJoint& joint, const PosesRequest& request) {
   PosesRows found;
   InterruptWatch watch;
-  found.list = list_of(request, joint.joint());
-  const PoseSeries series(joint.joint(), request);
-  if (request.asks(PosesOutput::touch)) found.touching = 0;
-  if (const std::string doubt = doubt_of(request, joint.joint(), found.list); !doubt.empty())
-    found.doubt = doubt;
+  found.list = list_of(request, joint);
+  const PoseSeries series(joint, request);
+  if (request.asks(PosesOutput::touch)) found.touching = found.unknown = 0;
+  if (const std::string doubt = doubt_of(request, joint, found.list); !doubt.empty()) found.doubt = doubt;
   for (std::size_t k = 0; k < found.list.size(); ++k) {
     PoseRow row{.pose = k + 1, .tracked = found.list.tracked(k)};
-    if (row.tracked) row = series.answer(pose_in(joint.joint(), found.list, k));
+    if (row.tracked) row = series.answer(pose_in(joint, found.list, k));
     row.pose = k + 1;
     add_row(row, found);
     found.rows.push_back(std::move(row));
     watch.look();
   }
   return found;
+}
+
+PosesRows ask_poses(PoseJoint& joint, const PosesRequest& request) {
+  return joint.alone([&](const SessionJoint& of) { return rows_of(of, request); });
 }
 
 void add_rows(PoseJoint& /*joint*/, const PosesRows& answer, py::dict& found) {
@@ -184,10 +187,15 @@ void warn_of_start(PoseJoint& joint, const LimitsAnswer& found, py::dict& /*answ
   };
   const auto limit = blocked(true);
   if (limit == found.limits.end() || blocked(false) != found.limits.end()) return;
-  SessionJoint& of = joint.joint();
-  warn(describe_threshold(
-      touch_in(of, pose_of(of, limit->start)), "at the start",
-      {.overlap = "", .threshold_mm = limit->told.threshold_mm, .threshold = "cartilage_mm="}));
+  std::string line;
+  without_lock(1, [&](std::size_t) {
+    line = joint.alone([&](SessionJoint& of) {
+      return describe_threshold(
+          touch_in(of, pose_of(of, limit->start)), "at the start",
+          {.overlap = "", .threshold_mm = limit->told.threshold_mm, .threshold = "cartilage_mm="});
+    });
+  });
+  warn(line);
 }
 
 void add_text(PoseJoint& /*joint*/, const CertifyAnswer& found, py::dict& answer) {

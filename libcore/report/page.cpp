@@ -69,13 +69,18 @@ std::string fact(const std::string& name, const std::string& value, bool strong 
          (strong ? "</strong>" : "") + "</dd>\n";
 }
 
+// Is the femur's neutral pose known by landmarks, so that angles count from there and not from the scan?
+bool from_neutral(const Json& joint) {
+  return joint["landmarks"].is_object() && joint["landmarks"]["scanned_flexion_deg"].is_number();
+}
+
 std::string pose_words(const Json& pose) {
   std::string text;
   for (const auto& angle : pose.items())
     if (angle.value() != 0.0)
       text +=
           (text.empty() ? "" : ", ") + spaced(angle.key()) + formatted(" %g°", angle.value().get<double>());
-  return text.empty() ? "pose of the scan" : text;
+  return text.empty() ? "all angles 0" : text;
 }
 
 std::string percent(const Json& low, const Json& high) {
@@ -222,12 +227,11 @@ std::string input_section(const ReportParts& parts) {
                                                  ? parts.request["cartilage_mm"].get<double>()
                                                  : GapsRequest().cartilage_mm)
                                  : std::string("a map, both layers together"));
+  std::string from = from_neutral(joint) ? "neutral, by landmarks" : "the pose of the scan";
   if (joint["landmarks"].is_object())
-    facts +=
-        fact("Angles are counted from", formatted("neutral, by landmarks (pelvic tilt %.1f° in the scan)",
-                                                  joint["landmarks"]["pelvic_tilt_deg"].get<double>()));
-  else
-    facts += fact("Angles are counted from", "the pose of the scan");
+    from +=
+        formatted(" (pelvic tilt %.1f° in the scan)", joint["landmarks"]["pelvic_tilt_deg"].get<double>());
+  facts += fact("Angles are counted from", from);
   return section("input", "What was looked at", "<dl>\n" + facts + "</dl>\n");
 }
 
@@ -349,12 +353,12 @@ std::string limits_table(const Json& limits) {
 std::string volume_section(const ReportParts& parts) {
   const Json& volume = parts.answer["volume"];
   if (volume.is_null()) return "";
+  const std::string start = from_neutral(parts.joint) ? "neutral pose" : "pose of the scan";
   std::string text =
       percent(volume["share_low"], volume["share_high"]) + " of all rotations are free of contact; ";
-  text += volume["neutral_blocked"]
-              ? std::string("none can be reached, since the pose of the scan is blocked")
-              : percent(volume["reachable_low"], volume["reachable_high"]) +
-                    " can be reached from the pose of the scan without contact";
+  text += volume["neutral_blocked"] ? "none can be reached, since the " + start + " is blocked"
+                                    : percent(volume["reachable_low"], volume["reachable_high"]) +
+                                          " can be reached from the " + start + " without contact";
   text += formatted(
       ". Both ends are proven; %.0f %% may stay undecided here, impinge volume --width 0.01 decides more.",
       100.0 * parts.request["width"].get<double>());

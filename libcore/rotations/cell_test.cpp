@@ -103,7 +103,7 @@ CellTest::CellTest(const BallSocketPair& joint, const CellQuestion& question, co
 }
 
 NearPoses CellTest::poses_near(const RotationBall& rotations, const Vec3& shift) const {
-  const double turned = Eigen::AngleAxisd(rotations.rotation).angle();
+  const double turned = Eigen::AngleAxisd(rotations.rotation * question_.rest).angle();
   const double turn = rotations.radius + kTurnSlack;
   const double most = std::min(kPi, turned + turn);
   const double within = question_.centre_within_mm;

@@ -53,6 +53,8 @@ struct CellQuestion {
                         // along rays, between parts the distance
   double centre_within_mm = 0.0;  // for every common centre as near to the meshes' origin; 0 or more
   double play_mm = 0.0;           // shifts of the ball that are allowed; 0 if centre_within_mm is above 0
+  Eigen::Matrix3d rest =
+      Eigen::Matrix3d::Identity();  // that the ball's mesh has from its scan (hip/motion.hpp)
 };
 
 /// All rotations within `radius` of `rotation`, which takes the ball's frame to the socket's.

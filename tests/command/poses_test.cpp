@@ -197,6 +197,17 @@ TEST_F(Poses, MatricesThatNoJointCanFollowGetALineThatSaysWhatToDo) {
   }
 }
 
+// Eleven rows of a flexion up to 1.5; then one row that is beyond pi.
+TEST_F(Poses, ARecordingInRadiansIsDoubted) {
+  std::string rows = "flexion,internal_rotation\n";
+  for (int k = 0; k <= 10; ++k) rows += std::to_string(0.15 * k) + ",0.1\n";
+  answered(of(rows));
+  EXPECT_NE(log_.find("as if they were in radians"), std::string::npos) << log_;
+  EXPECT_FALSE(found_["doubt"].is_null());
+  answered(of(rows + "4,0\n"));
+  EXPECT_TRUE(found_["doubt"].is_null()) << log_;
+}
+
 TEST_F(Poses, AGridMayShiftTheBall) {
   const auto rows = answered("--path flexion=0..60/60,tx=-1..1/1");
   ASSERT_EQ(rows.size(), 7U);

@@ -254,6 +254,9 @@ class Frames(unittest.TestCase):
         self.assertIsNone(found["landmarks"]["scanned_flexion_deg"])
         self.assertIn("landmarks           pelvic tilt 20.0 degrees in the scan: angles are counted from the pose of the scan",
                       said)
+        self.assertEqual(self.asked("report", "pelvis", ball, socket, "--landmarks", points, "--width", 1).returncode, 0)
+        self.assertIn("<dt>Angles are counted from</dt><dd>the pose of the scan (pelvic tilt 20.0° in the scan)</dd>",
+                      (self.root / "pelvis/out/report.html").read_text())
 
     def test_landmarks_that_cannot_be_used_are_refused(self):
         swapped = dict(STANDING, asis_right=STANDING["asis_left"], asis_left=STANDING["asis_right"])
@@ -320,6 +323,9 @@ class Frames(unittest.TestCase):
         done = self.asked("poses", "matrices", ball, socket, "--landmarks", points, "--poses", poses)
         self.assertIn("give angles, or leave the landmarks out", done.stderr)
         self.assertEqual(done.returncode, 1)
+        done = self.asked("poses", "matrices", ball, socket, "--landmarks", points, "--path", "rot_x=0..90/30")
+        self.assertIn("path: its turns begin at the pose of the scan", done.stderr)
+        self.assertEqual(done.returncode, 2)
 
 
 if __name__ == "__main__":

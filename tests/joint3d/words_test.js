@@ -114,7 +114,7 @@ test('names of files say joint and pose, and none is empty', () => {
   assert.equal(words.fileStem('Patient A (stand-in)', 'right', state), 'patient_a_stand_in_right_flexion_90_adduction_10.25_shifted');
   assert.equal(words.fileStem('Fémur 1.ply and acetabulum.stl', null, { motion: {}, offset: [0, 0, 0] }), 'femur_1_and_acetabulum');
   assert.equal(words.poseWords(state), 'Flexion 90°, adduction 10.25°; ball shifted by 0.0, 0.0, 1.0 mm to the right, forward, up');
-  assert.equal(words.poseWords({ motion: { flexion: 0, abduction: 0, internal_rotation: 0 }, offset: [0, 0, 0] }), 'Pose of the scan');
+  assert.equal(words.poseWords({ motion: { flexion: 0, abduction: 0, internal_rotation: 0 }, offset: [0, 0, 0] }), 'All angles 0');
 });
 
 test('motions and hips have the names that a reader knows', () => {

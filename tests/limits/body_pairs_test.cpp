@@ -271,6 +271,25 @@ TEST(BodyPairs, WhatIsBehindASheetIsKnownOfMainSurfacesOnly) {
   }
 }
 
+// A thick wall that is cropped: its outer faces are farther from the centre, and more, than those of the
+// bearing surface, whose normals tell on which side its bone is.
+TEST(BodyPairs, ACroppedThickSocketHasItsBoneBehindTheBearingSurface) {
+  TriangleMesh wall = test::with_back(cup(26.0, 60.0, 400), cup(40.0, 60.0, 400));
+  std::erase_if(wall.faces, [&](const Face& face) {
+    const Vec3 middle = (wall.vertices[face[0]] + wall.vertices[face[1]] + wall.vertices[face[2]]) / 3.0;
+    return middle.norm() > 35.0 && middle.z() > 0.9 * middle.norm();
+  });
+  const auto in_pose = [&](const TriangleMesh& socket, double radius) {
+    return verdict(BodyPairs({sphere(20.0, 400), socket}, {{speck(radius * Vec3(0.6, 0.0, 0.8))}, {}}))
+        .contact;
+  };
+  for (const TriangleMesh& socket : {wall, test::inside_out(wall)}) {
+    EXPECT_EQ(in_pose(socket, 33.0), Contact::yes);
+    EXPECT_EQ(in_pose(socket, 23.0), Contact::no);
+    EXPECT_EQ(in_pose(socket, 45.0), Contact::no);
+  }
+}
+
 // Two sheets of which one is a part: none has an inside, so that contact in all of many poses is not shown.
 // Between the main surfaces alone radii decide.
 TEST(BodyPairs, TwoSheetsHaveNoInside) {

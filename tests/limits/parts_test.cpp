@@ -210,29 +210,41 @@ TEST(Parts, OfAHipAreInItsVolume) {
   EXPECT_GT(by_parts, 5U);
 }
 
-// Of a doubtful centre: what is found for a joint that is moved lies in what was said.
+// Of a doubtful centre: what is found for a joint that is moved lies in what was said, also where the ball
+// was scanned otherwise and turned about that centre.
 TEST(Parts, OfHipsKeepWhatIsSaidOfTheCentre) {
   const auto sphere_at = [](double turned) { return mesh_of({40.0, 7.0, turned}); };
   const BallSocketPair main{icosphere(20.0, 2), cup(28.0, 60.0, 400)};
-  const TurnLimits limits(main, {{sphere_at(0.0)}, {sphere_at(75.0)}});
-  const CentreQuestion question{CentreDoubt::common, 0.5, 0.0};
-  const TurnLimit limit = limits.first_contact(kAboutZ, 180.0);
-  const CentreInterval interval = limits.centre_interval(kAboutZ, limit, 180.0, question);
-  EXPECT_TRUE(interval.limited);
-  double least = 180.0;
-  double most = 0.0;
-  for (int k = 0; k < 6; ++k) {
-    const Vec3 t = 0.5 * Eigen::AngleAxisd(k * kPi / 3.0, Vec3::UnitZ()).toRotationMatrix() * Vec3::UnitX();
-    const TurnLimits moved({relative_to(main.ball, t), relative_to(main.socket, t)},
-                           {{relative_to(sphere_at(0.0), t)}, {relative_to(sphere_at(75.0), t)}});
-    const TurnLimit found = moved.first_contact(kAboutZ, 180.0);
-    least = std::min(least, found.low_deg);
-    most = std::max(most, found.high_deg);
+  const BoneParts beside{{sphere_at(0.0)}, {sphere_at(75.0)}};
+  const TurnLimits limits(main, beside);
+  for (const double scanned : {0.0, 90.0}) {
+    JointTurn turn = kAboutZ;
+    turn.rest = Eigen::AngleAxisd(scanned * kDegree, Vec3::UnitZ()).toRotationMatrix();
+    const CentreQuestion question{CentreDoubt::common, 0.5, 0.0};
+    const TurnLimit limit = limits.first_contact(turn, 180.0);
+    const CentreInterval interval = limits.centre_interval(turn, limit, 180.0, question);
+    const CellTest cells(main, {0.0, 0.5, 0.0, turn.rest}, beside);
+    const MotionVolume volume(cells, {.width = 0.1});
+    EXPECT_TRUE(interval.limited);
+    double least = 180.0;
+    double most = 0.0;
+    for (int k = 0; k < 6; ++k) {
+      const Vec3 t = 0.5 * Eigen::AngleAxisd(k * kPi / 3.0, Vec3::UnitZ()).toRotationMatrix() * Vec3::UnitX();
+      const Vec3 of_ball = turn.rest * t;
+      const TurnLimits moved({relative_to(main.ball, of_ball), relative_to(main.socket, t)},
+                             {{relative_to(sphere_at(0.0), of_ball)}, {relative_to(sphere_at(75.0), t)}});
+      const TurnLimit found = moved.first_contact(turn, 180.0);
+      least = std::min(least, found.low_deg);
+      most = std::max(most, found.high_deg);
+    }
+    EXPECT_LT(interval.low_deg, least);
+    EXPECT_GT(interval.high_deg, most);
+    EXPECT_LT(most - least, interval.high_deg - interval.low_deg);
+    EXPECT_LT(interval.high_deg - interval.low_deg, 10.0);
+    const VolumeLimit of_cells = volume.limit(turn, 180.0);
+    EXPECT_LT(of_cells.low_deg, least) << scanned;
+    EXPECT_GT(of_cells.high_deg.value_or(180.0), most) << scanned;
   }
-  EXPECT_LT(interval.low_deg, least);
-  EXPECT_GT(interval.high_deg, most);
-  EXPECT_LT(most - least, interval.high_deg - interval.low_deg);
-  EXPECT_LT(interval.high_deg - interval.low_deg, 10.0);
 }
 
 // No sampled angle before the one that is found has a pair of parts within the distance, by brute force, and

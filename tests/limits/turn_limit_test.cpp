@@ -139,6 +139,37 @@ TEST(TurnLimit, EndsWhereTheMeshOfTheBallDoes) {
   const TurnLimit of_shell = TurnLimits({shell, socket}).first_contact(turn, 90.0);
   EXPECT_EQ(of_shell.state, LimitState::free);
   EXPECT_FALSE(of_shell.leaves_mesh_deg);
+  // With a hole in the inner layer it is not known whether its outer one ends the bone.
+  shell.faces.erase(shell.faces.begin() + static_cast<std::ptrdiff_t>(cap.faces.size()));
+  EXPECT_NEAR(TurnLimits({shell, socket}).first_contact(turn, 90.0).leaves_mesh_deg.value_or(0.0), 40.0, 0.2);
+}
+
+// The mesh of the ball ends about every centre within half a millimetre, and with play, no earlier than
+// ranges say.
+TEST(TurnLimit, RangesCountTheEndOfTheMeshAboutOtherCentres) {
+  const BallSocketPair joint{cup(20.0, 60.0, 1000), cup(26.0, 20.0, 400)};
+  const JointTurn turn{.axis = Vec3::UnitX()};
+  const TurnLimits limits(joint);
+  const TurnLimit limit = limits.first_contact(turn, 90.0);
+  for (const double largest : {90.0, 35.0}) {  // unknown, and free
+    const TurnLimit found = limits.first_contact(turn, largest);
+    for (const CentreDoubt doubt : {CentreDoubt::common, CentreDoubt::play}) {
+      const CentreInterval interval = limits.centre_interval(turn, found, largest, {doubt, 2.0, 0.0});
+      double least = largest;
+      for (int k = 0; k < 24; ++k) {
+        const Vec3 centre = 1.9 * (Eigen::AngleAxisd(k * kPi / 12.0, Vec3::UnitX()) * Vec3::UnitY());
+        const BallSocketPair moved =
+            doubt == CentreDoubt::common
+                ? BallSocketPair{relative_to(joint.ball, centre), relative_to(joint.socket, centre)}
+                : BallSocketPair{joint.ball, relative_to(joint.socket, centre)};
+        least =
+            std::min(least, TurnLimits(moved).first_contact(turn, largest).leaves_mesh_deg.value_or(largest));
+      }
+      EXPECT_LE(interval.low_deg, least) << largest;
+      EXPECT_GT(interval.low_deg, least - 7.0) << largest;
+      EXPECT_LT(least, limit.low_deg - 1.0);
+    }
+  }
 }
 
 // Near edges are seen under up to 180 degrees.

@@ -35,6 +35,14 @@ def test_landmarks_give_joints_of_arrays_the_frames_that_they_give_those_of_file
             assert joint.limits("flexion")["limits"][0]["low_deg"] == pytest.approx(truth.limits("flexion")["limits"][0]["low_deg"], abs=1e-3)
         assert impinge.Joint.read(*files, side="right", centre=read.centre, landmarks=landmarks).landmarks == truth.landmarks
     assert joint.landmarks["scanned_flexion_deg"] == pytest.approx(np.degrees(np.arctan2(40, 380)) - 7)
+    for begins_at_the_scan in (np.eye(4), (1.0, 0.0, 0.0, 0.0)):
+        with pytest.raises(ValueError, match="give angles, or leave the landmarks out"):
+            joint.touch(begins_at_the_scan)
+
+
+def test_arrays_without_faces_are_refused():
+    with pytest.raises(ValueError, match="has no faces"):
+        impinge.Joint.from_arrays((sphere(20.0)[0], np.zeros((0, 3), int)), sphere(25.0, open_above=10.0))
 
 
 def test_headers_of_slicer_say_the_axes(files, tmp_path):

@@ -68,6 +68,19 @@ def test_touch_agrees_with_the_gaps_of_vertices(hip):
     assert (gap[~touches] > -1e-6).all() and not touches.all()
 
 
+def test_what_hangs_on_an_opening_is_masked():
+    """A speck in a ball that is open above it may be in bone or not."""
+    corners = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], dtype=float)
+    speck = (corners + (0.0, 0.0, 12.0), np.array([(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]))
+    joint = impinge.Joint.from_arrays(sphere(20.0, open_above=15.0), sphere(25.0, open_above=10.0), centre=(0, 0, 0), socket_part={"speck": speck})
+    shifts = np.tile(np.eye(4), (3, 1, 1))
+    shifts[:, 2, 3] = (0.0, 3.0, -7.0)
+    assert joint.touch(shifts).tolist() == [None, True, True]
+    assert joint.ask("touch")["contact"]["state"] == "unknown"
+    rows = joint.ask("poses", path="tz=0..3/3")
+    assert (rows["touching"], rows["unknown"]) == (1, 1)
+
+
 def test_spheres_touch_where_their_shift_takes_up_the_space():
     joint = impinge.Joint.from_arrays(sphere(20.0), sphere(25.0, open_above=10.0), centre=(0, 0, 0))
     shifts = np.tile(np.eye(4), (4, 1, 1))
@@ -99,6 +112,8 @@ def test_quaternions_have_w_first_and_turn_about_the_centre(hip):
     for lone in (3, 4):  # which has the shape of one matrix
         with pytest.raises(ValueError, match=r"matrix 0 .*; quaternions, 3 or 4, need the shape \(n, 1, 4\)"):
             hip.matrices(given[:lone])
+    with pytest.raises(ValueError, match=r"shape \(3, 3\) that is a rotation would be read as three poses of angles"):
+        hip.touch(found[0, :3, :3])
     with pytest.raises(ValueError, match="poses: quaternion 1 has not the length 1; give w, x, y, z of unit length"):
         hip.matrices([(1, 0, 0, 0), (0, 0, 0, 0)])
 

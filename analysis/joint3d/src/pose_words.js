@@ -8,9 +8,9 @@ const given = (motion) => ANGLES.map(([key, more, less]) => ({ value: motion[key
 /** "ball shifted by 0.0, 0.0, 1.0 mm to the right, forward, up", or nothing. */
 export const shiftWords = (offset) => (offset.some(Boolean) ? `ball shifted by ${offset.map((x) => x.toFixed(1).replace("-", "−")).join(", ")} mm to the right, forward, up` : "");
 
-/** "Flexion 90°, adduction 15°", "pose of the scan". motion: of the state, degrees; offset: mm to the right, forward, up. */
+/** "Flexion 90°, adduction 15°", "all angles 0". motion: of the state, degrees; offset: mm to the right, forward, up. */
 export function poseWords({ motion, offset }) {
-  const angles = given(motion).map(({ value, word }, k) => `${k ? word.toLowerCase() : word} ${short(value)}°`).join(", ") || "Pose of the scan";
+  const angles = given(motion).map(({ value, word }, k) => `${k ? word.toLowerCase() : word} ${short(value)}°`).join(", ") || "All angles 0";
   return [angles, shiftWords(offset)].filter(Boolean).join("; ");
 }
 

@@ -74,7 +74,7 @@ export class VolumePanel extends ApartPanel {
     const entries = [...[0, 30, 60, 90, DARKEST].map((range) => [range, `${range}${range === DARKEST ? "+" : ""}`]), [BLOCKED, "blocked"], [UNDECIDED, "undecided"]];
     byId("volume-key").replaceChildren("rotation without contact, internal and external together, degrees:", ...entries.map(([range, text]) => keyRow({ colours: [mapColour(range)], text })));
     this.say(`Of all rotations ${percent(low, roundedDown)} to ${percent(high, roundedUp)} % are free of contact, and `
-      + `${percent(least, roundedDown)} to ${percent(most, roundedUp)} % can be reached from the pose of the scan without contact: proven, for the surfaces and their edges.`
+      + `${percent(least, roundedDown)} to ${percent(most, roundedUp)} % can be reached without contact from where all angles are 0: proven, for the surfaces and their edges.`
       + (byRadii ? " Blocked includes where the ball reaches beyond the socket along a ray though no surfaces meet, as the socket is a sheet; limits may go further." : ""));
     this.posed();
   }

@@ -3,10 +3,12 @@
 superior, 3 anterior on both sides).
 
 Poses are
-  * angles, shape (n, 3) or (3,): flexion, abduction and internal rotation, 0 in the pose of the scan, joint coordinate
-    system of Grood and Suntay 1983; abduction and rotation need the side;
+  * angles, shape (n, 3) or (3,): flexion, abduction and internal rotation, joint coordinate system of Grood and
+    Suntay 1983, 0 in the pose of the scan, or with landmarks of the femur where it is neutral; abduction and rotation
+    need the side;
   * a text as "flexion=90,internal_rotation=10";
-  * matrices, shape (n, 4, 4), (n, 3, 4) or one of them: x' = M x in the frame of the meshes, mm;
+  * matrices, shape (n, 4, 4), (n, 3, 4) or one of them: x' = M x in the frame of the meshes, mm; they and
+    quaternions begin at the pose of the scan, and are refused beside landmarks of the femur;
   * quaternions w, x, y, z of length 1, shape (n, 4) or (4,), (n, 1, 4) for 3 or 4 of them (which have the shape of one
     matrix): turns about the centre of rotation in the axes of the meshes.
 Arrays of doubles in C order are read where they are; others are copied once. Long questions run without Python's lock,
@@ -180,6 +182,7 @@ class PosesAnswer(TypedDict):
     number_of_poses: int  # rows of poses.csv
     untracked: int  # of these without numbers
     touching: int | None  # of these in contact; null if not asked for
+    unknown: int | None  # of these in which contact hangs on an opening of a mesh; null if not asked for
     smallest_gap: PosesAnswerSmallestGap | None  # of all poses; null if there is none or it was not asked for
     doubt: str | None  # what looks wrong with the poses; null if nothing does
 
@@ -235,9 +238,9 @@ class VolumeAnswer(TypedDict):
     share_high: float  # at most
     mobility_low_deg3: float  # volume that is free in Euler angles, weighted by the cosine of the middle one, whatever the axes (Manafzadeh and Gatesy 2020); of 14,851,066 in all, at least (deg^3)
     mobility_high_deg3: float  # at most (deg^3)
-    reachable_low: float  # share that is reached from the pose of the scan without contact, at least
+    reachable_low: float  # share that is reached without contact from where all angles are 0, at least
     reachable_high: float  # at most
-    neutral_blocked: bool  # is the pose of the scan blocked?
+    neutral_blocked: bool  # does contact block the pose in which all angles are 0?
     by_radii: bool  # does radial overlap block, too, as the socket is a sheet? `limits` may then go further
     unknown: float  # share of which nothing is known: the ball's mesh ends there
     open: float  # share that is undecided
@@ -485,7 +488,8 @@ class Joint:
         r (Q - 1) / 131,068, r the largest radius and Q the largest inverse depth over the least: a few micrometres
         on a hip. `out`: arrays that are written into and returned."""
     def touch(self, poses: Poses) -> NDArray[np.bool_]:
-        """Do the surfaces touch or overlap, edges and all? Exact for each pose; shape (poses,)."""
+        """Do the surfaces touch or overlap, edges and all? Exact for each pose; shape (poses,). Where that hangs on
+        an opening of a mesh, it is not known, and the array is a masked one, masked there."""
     def smallest_gap(self, poses: Poses) -> NDArray[Any]:
         """A structured array of shape (poses,): gap_mm, bound_mm (proven, on the error of that gap), clock
         (hours), vertex and surface (0 ball, 1 socket); NaN and -1 where the surfaces do not face each other."""
