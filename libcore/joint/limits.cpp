@@ -57,6 +57,8 @@ std::optional<UnknownBy> unknown_by(const CentredLimits& centred, const JointTur
   if (limit.leaves_mesh_deg && *limit.leaves_mesh_deg <= limit.low_deg) return UnknownBy::end_of_ball;
   for (const double angle : {limit.low_deg, std::min(limit.low_deg + kBeyond, limit.high_deg)})
     if (centred.limits.verdict(turn, angle).contact == Contact::unknown) return UnknownBy::opening;
+  const BodyPairs::Verdict end = centred.limits.verdict(turn, limit.high_deg);
+  if (end.contact != Contact::no && end.rule == ContactRule::inside) return UnknownBy::opening;
   return UnknownBy::graze;
 }
 

@@ -150,6 +150,13 @@ TurnLimit TurnLimits::bracket(const JointTurn& turn, double largest_deg, const N
     certain = first_reached(contact->angle, from, reached);
     if (from >= largest) break;
   }
+  // Into a sheet without a contact: no opening of one is looked for on the way.
+  const Pose end = pose_at(turn, largest);
+  if (limit.state == LimitState::free &&
+      (answers_->bodies.meet(end) || answers_->bodies.verdict(end).contact == Contact::unknown)) {
+    limit.state = LimitState::unknown;
+    limit.low_deg = 0.0;
+  }
   end_of_mesh(turn, largest, certain, limit);
   if (certain) make_limited(turn, *certain, *last_contact, limit);
   return limit;

@@ -172,6 +172,19 @@ TEST(TurnLimit, RangesCountTheEndOfTheMeshAboutOtherCentres) {
   }
 }
 
+// A speck turns into a cropped wall, between its two layers, and meets neither.
+TEST(TurnLimit, IsNotFreeWhereABoneEndsInACroppedOne) {
+  const TriangleMesh wall = test::joined(cup(26.0, 60.0, 400), test::inside_out(cup(40.0, 60.0, 400)));
+  const TurnLimits limits({sphere(20.0, 400), wall},
+                          {{test::moved(sphere(0.5, 20), Vec3(0.0, 33.0, 0.0))}, {}});
+  const JointTurn turn{.axis = Vec3::UnitX()};
+  EXPECT_NE(limits.verdict(turn, 50.0).contact, Contact::no);
+  const TurnLimit ends_inside = limits.first_contact(turn, 50.0);
+  EXPECT_EQ(ends_inside.state, LimitState::unknown);
+  EXPECT_EQ(ends_inside.low_deg, 0.0);
+  EXPECT_EQ(limits.first_contact(turn, 10.0).state, LimitState::free);
+}
+
 // Near edges are seen under up to 180 degrees.
 TEST(WallsBeyond, HoldAllThatIsBeyondAnEdge) {
   test::Dice dice(31);
