@@ -224,7 +224,7 @@ TEST(Parts, OfHipsKeepWhatIsSaidOfTheCentre) {
     const TurnLimit limit = limits.first_contact(turn, 180.0);
     const CentreInterval interval = limits.centre_interval(turn, limit, 180.0, question);
     const CellTest cells(main, {0.0, 0.5, 0.0, turn.rest}, beside);
-    const MotionVolume volume(cells, {.width = 0.1});
+    CellSearch search(cells);
     EXPECT_TRUE(interval.limited);
     double least = 180.0;
     double most = 0.0;
@@ -241,9 +241,16 @@ TEST(Parts, OfHipsKeepWhatIsSaidOfTheCentre) {
     EXPECT_GT(interval.high_deg, most);
     EXPECT_LT(most - least, interval.high_deg - interval.low_deg);
     EXPECT_LT(interval.high_deg - interval.low_deg, 10.0);
-    const VolumeLimit of_cells = volume.limit(turn, 180.0);
-    EXPECT_LT(of_cells.low_deg, least) << scanned;
-    EXPECT_GT(of_cells.high_deg.value_or(180.0), most) << scanned;
+    std::array<int, 4> states{};
+    for (double angle = 45.0; angle < 65.0; angle += 0.25) {
+      const Eigen::Matrix3d about = Eigen::AngleAxisd(angle * kDegree, Vec3::UnitZ()).toRotationMatrix();
+      const CellState state = search.decide(RotationBall{about, 1e-6}).state;
+      ++states[static_cast<std::size_t>(state)];
+      EXPECT_TRUE(state != CellState::free || angle < least) << angle;
+      EXPECT_TRUE(state != CellState::blocked || angle > most) << angle;
+    }
+    EXPECT_GT(states[0], 20) << scanned;
+    EXPECT_GT(states[1], 20) << scanned;
   }
 }
 
