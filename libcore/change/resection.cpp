@@ -9,10 +9,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "mesh/edges.hpp"
 #include "mesh/split_faces.hpp"
 #include "mesh/star_shape.hpp"
-#include "mesh/validation.hpp"
+#include "mesh/triangle_distance.hpp"
 #include "mesh/weld.hpp"
+#include "rotations/bone_along_rays.hpp"
 #include "sphere/infinity.hpp"
 #include "table/near_faces.hpp"
 
@@ -21,6 +23,7 @@ namespace {
 
 constexpr double kVolumeSlack = 1e-9;  // share of a volume or area that allows for rounding
 constexpr int kMostRounds = 40;
+constexpr Ends kUnknown{0.0, kInfinity};  // of a volume
 constexpr double kLeastFlat = 0.5;  // cosine of a leaf's radius; the corners of a wider one are not moved out
 
 // Signed volume of the cone over a face, mm^3.
@@ -91,58 +94,24 @@ Leaf ball_leaf(const SeenLeaf& face, const SweptRadius& swept, double clearance)
   return leaf;
 }
 
+// Are normals inwards? Volumes are those of cones over the faces, with signs.
+bool is_inside_out(const TriangleMesh& mesh) {
+  double volume = 0.0;
+  for (const Face& face : mesh.faces) volume += cone_volume(mesh, face);
+  return volume < 0.0;
+}
+
 // The bone of a socket whose mesh is closed.
 struct Bone {
-  Bone(const TriangleMesh& socket, double volume)
-      : outside(socket, Layer::farthest), inside_out(volume < 0.0) {}
+  explicit Bone(const TriangleMesh& socket)
+      : outside(socket, Layer::farthest), inside_out(is_inside_out(socket)) {}
   RadiiOverCap outside;  // radii of its outermost layer, L
   bool inside_out;
 };
 
-// Where a ray from the centre crosses a closed surface.
-struct WallCrossing {
-  double radius = 0.0;  // mm; where faces lie upon each other, crossings into bone come first
-  int into_bone = 0;    // 1, or -1 out of it
-};
-
-// The crossings along unit u, in rising order of radius; none where u passes an edge within rounding.
-std::vector<WallCrossing> crossings_along(const NearFaces& faces, const Vec3& u, bool inside_out) {
-  constexpr double kOnePlace = 1e-6;
-  std::vector<WallCrossing> crossings;
-  const bool doubtful = faces.any_hit(u, [&](std::uint32_t f, int side) {
-    const TriangleCone cone = cone_of(faces.mesh(), faces.mesh().faces[f]);
-    const double inside = cone.least_edge_distance(u.x(), u.y(), u.z());
-    if (std::abs(inside) <= cone.doubt()) return true;
-    const int into = (side < 0) != inside_out ? 1 : -1;
-    const double radius = cone.plane().offset / cone.plane().normal.dot(u);
-    if (inside > 0.0) crossings.push_back({radius * (1.0 - kOnePlace * into), into});
-    return false;
-  });
-  if (doubtful) crossings.clear();
-  std::ranges::sort(crossings, {}, &WallCrossing::radius);
-  return crossings;
-}
-
-// Does no shell of a closed mesh seem to be inside out? Then no ray, of one through each face, has left bone
-// more often than it came into bone. (A cavity in the bone of another shell is no such shell.)
-bool of_one_orientation(const TriangleMesh& socket, bool inside_out) {
-  const NearFaces faces(socket, 0.0);
-  return std::ranges::none_of(socket.faces, [&](const Face& face) {
-    const Vec3 middle = corner(socket, face, 0) + corner(socket, face, 1) + corner(socket, face, 2);
-    int in_bone = 0;
-    for (const WallCrossing& crossing : crossings_along(faces, middle.stableNormalized(), inside_out)) {
-      in_bone += crossing.into_bone;
-      if (in_bone < 0) return true;
-    }
-    return false;
-  });
-}
-
 std::optional<Bone> bone_of(const TriangleMesh& socket) {
-  const MeshReport report = validate(socket);
-  if (!report.volume) return std::nullopt;
-  if (report.components > 1 && !of_one_orientation(socket, *report.volume < 0.0)) return std::nullopt;
-  return std::optional<Bone>(std::in_place, socket, *report.volume);
+  if (!is_bone_beside_centre(socket)) return std::nullopt;
+  return std::optional<Bone>(std::in_place, socket);
 }
 
 // The volume, mm^3, of the cone over a face between the face and these radii, where they are beyond the face.
@@ -349,11 +318,40 @@ void flip_faces(TriangleMesh& mesh) {
   for (Face& face : mesh.faces) std::swap(face[1], face[2]);
 }
 
-// Are the normals of the ball inwards? Volumes are those of cones over its faces, with signs.
-bool is_inside_out(const TriangleMesh& ball) {
-  double volume = 0.0;
-  for (const Face& face : ball.faces) volume += cone_volume(ball, face);
-  return volume < 0.0;
+// Edges through which faces do not run as often one way as the other. Only across these may the number of
+// faces change that a ray crosses outwards, less that of others.
+std::vector<std::array<Vec3, 2>> open_edges(const TriangleMesh& mesh) {
+  std::vector<std::array<Vec3, 2>> open;
+  for_each_edge(mesh, [&](std::span<const HalfEdge> sides) {
+    const Edge edge = ends(mesh, sides.front());
+    const auto same = std::ranges::count_if(sides, [&](HalfEdge side) { return ends(mesh, side) == edge; });
+    if (2 * same != std::ssize(sides))
+      open.push_back({mesh.vertices[edge[0]].normalized(), mesh.vertices[edge[1]].normalized()});
+  });
+  return open;
+}
+
+// May the arc between two directions meet the cap? It is within its sagitta of the chord.
+bool meets(const DirectionCap& cap, const std::array<Vec3, 2>& arc) {
+  const double half = 0.5 * angle_between(arc[0], arc[1]);
+  return std::sqrt(squared_distance_to_segment(cap.axis, arc[0], arc[1])) <=
+         cap.radius + 0.5 * half * half + kCapSlack;
+}
+
+// Do the faces of the ball say where its bone is along all rays that are cut (theorem in the header, (ii))?
+bool is_bone_known(const TriangleMesh& ball, const std::vector<Leaf>& leaves) {
+  const NearFaces faces(ball, 0.0);
+  const auto open = open_edges(ball);
+  for (std::size_t f = 0; f < leaves.size(); ++f) {
+    const Face& face = ball.faces[f];
+    const SeenLeaf leaf(ball, face);
+    if (!leaves[f].cut || leaf.seen.side == 0) continue;
+    const Vec3 middle = corner(ball, face, 0) + corner(ball, face, 1) + corner(ball, face, 2);
+    const auto bone = bone_along(faces, middle.stableNormalized(), false);
+    if (bone && (bone->least < 0 || (!open.empty() && bone->at_centre != 1))) return false;
+    if (std::ranges::any_of(open, [&](const auto& arc) { return meets(leaf.cap, arc); })) return false;
+  }
+  return true;
 }
 
 Resection cut_of_ball(const TriangleMesh& ball, const SweptRadius& swept, const CutQuestion& question) {
@@ -366,6 +364,10 @@ Resection cut_of_ball(const TriangleMesh& ball, const SweptRadius& swept, const 
   });
   sum_up(leaves, found);
   move_corners(leaves, found);
+  if (!is_bone_known(found.before, leaves)) {
+    found.volume_mm3 = kUnknown;
+    found.cut_mm3 = std::numeric_limits<double>::quiet_NaN();
+  }
   if (inside_out)
     for (TriangleMesh* mesh : {&found.before, &found.cut}) flip_faces(*mesh);
   return found;
@@ -382,9 +384,9 @@ Resection cut_of_socket(const TriangleMesh& socket, const SweptRadius& swept, co
   sum_up(leaves, found);
   move_corners(leaves, found);
   if (bone && bone->inside_out) found.cut_mm3 = -found.cut_mm3;
-  if (take_out_whole(leaves, found) || (!bone && !found.empty()))
+  if (!bone && !found.empty()) found.volume_mm3 = kUnknown;
+  if (take_out_whole(leaves, found) || found.volume_mm3.high == kInfinity)
     found.cut_mm3 = std::numeric_limits<double>::quiet_NaN();
-  if (!bone && !found.empty()) found.volume_mm3 = {0.0, kInfinity};
   return found;
 }
 
@@ -404,6 +406,7 @@ LeastCut least_cut(const TriangleMesh& ball, const SweptBone& swept, const CutQu
   });
   LeastCut found;
   sum_up(leaves, found);
+  if (!is_bone_known(mesh, leaves)) found.volume_mm3 = kUnknown;
   for (std::size_t f = 0; f < leaves.size(); ++f) {
     if (!leaves[f].cut) continue;
     found.cells.push_back({corners_of(mesh, mesh.faces[f]), leaves[f].may_go});

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of the ball, or of the socket, has to be removed so that required motions are reached with a clearance
 // c? The least radial cut, and of the ball also the least cut of all. Sizes lie between proven ends:
-// Theorem 17 (resection).
+// Theorem 17 (resection). Bone of two shells that overlap counts twice.
 //
 // Radial cut of the ball. Along u it keeps bone up to the radius E(u) - c, E the least radius of the socket
 // that u meets on the required paths (change/swept_radius.hpp). No larger star-shaped part keeps the
-// clearance. There is no undercut: behind a rim the neck is narrowed all the way out.
+// clearance. There is no undercut: behind a rim the neck is narrowed all the way out. The volume, of the
+// least cut too, needs a ball that is closed, or at least whose faces along each ray of the cut go on, and
+// come into bone once more than they leave it, as those of a star-shaped one do. Else it is not known.
 //
 // Radial cut of the socket. Along v it keeps bone from the radius F(v) + c on, F the largest radius of the
-// ball there. The volume needs a closed mesh, which says how thick the bone is. Bone of two shells that
-// overlap counts twice. If one of several shells is inside out, so that along some ray more faces leave bone
-// than came into it, the volume is not known.
+// ball there. The volume needs a closed mesh with the centre outside of its bone, which says how thick the
+// bone is. If one of several shells is inside out, so that along some ray more faces leave bone than came
+// into it, the volume is not known.
 //
 // Least cut of all. It takes what the socket's bone, thickened by c, sweeps through (change/swept_bone.hpp).
 // It begins where the radial cut does and ends where the rim has passed: bone beyond stays over an undercut,
@@ -43,7 +45,7 @@ struct CutQuestion {
 
 /// How much has to go, between proven ends.
 struct CutSize {
-  Ends volume_mm3;  // of the bone that has to go; 0 to infinity where a socket's volume is not known
+  Ends volume_mm3;  // of the bone that has to go; 0 to infinity where it is not known
   Ends area_mm2;    // of the part of the surface that has to go
   Ends depth_mm;  // the most that goes along one ray, to where a socket is clear of the ball or its bone ends
 };
@@ -54,7 +56,7 @@ struct Resection : CutSize {
   TriangleMesh before;         // the surface, divided into leaves, its old vertices first
   TriangleMesh cut;            // the surface after the cut
   std::vector<double> depth;   // how far each vertex has moved along its ray, mm
-  double cut_mm3 = 0.0;        // volume of `before` less that of `cut`; NaN where a mesh is open
+  double cut_mm3 = 0.0;        // volume of `before` less that of `cut`; NaN where it is not known
   std::size_t deepest = 0;     // index of the vertex with the largest depth
 
   bool empty() const { return depth_mm.high <= 0.0; }  // nothing has to go

@@ -13,6 +13,7 @@
 
 #include "files/formatted.hpp"
 #include "hip/sphere_fit.hpp"
+#include "table/near_faces.hpp"
 
 namespace impinge {
 namespace {
@@ -182,6 +183,20 @@ double robust_deviation(const Region& region, const SphereFit& fit) {
   return 0.0;
 }
 
+// Is a socket about the centre of its head inside out? The first face along a ray from there comes into bone.
+bool is_inside_out(const TriangleMesh& socket) {
+  constexpr double kSame = 1.0 + 1e-6;  // share of a radius
+  const NearFaces faces(socket, 0.0);
+  double balance = 0.0;  // mm^2 that look away
+  for (const Face& face : socket.faces) {
+    const Vec3 middle = (corner(socket, face, 0) + corner(socket, face, 1) + corner(socket, face, 2)) / 3.0;
+    const Vec3 area = area_vector(socket, face);
+    if (middle.norm() <= kSame * faces.radius(middle.stableNormalized(), Layer::nearest))
+      balance += area.dot(middle) > 0.0 ? area.norm() : -area.norm();
+  }
+  return balance > 0.0;
+}
+
 }  // namespace
 
 SphereFit fit_ball(const TriangleMesh& mesh, const BallFitOptions& options) {
@@ -202,12 +217,16 @@ SphereFit fit_ball(const TriangleMesh& mesh, const BallFitOptions& options) {
 }
 
 SphereFit fit_socket(const TriangleMesh& socket, const SphereFit& head, const BallFitOptions& options) {
-  TriangleMesh inside{socket.vertices, {}};
+  TriangleMesh inside = relative_to({socket.vertices, {}}, head.centre);
   std::ranges::copy_if(socket.faces, std::back_inserter(inside.faces), [&](const Face& face) {
-    const Vec3 arm = corner(socket, face, 0) - head.centre;
-    const double from = arm.norm() / head.radius;
-    return from > kSocketStart && from < kSocketEnd && area_vector(socket, face).dot(arm) < 0.0;
+    const double from = corner(inside, face, 0).norm() / head.radius;
+    return from > kSocketStart && from < kSocketEnd;
   });
+  const double to_centre = is_inside_out(inside) ? 1.0 : -1.0;
+  std::erase_if(inside.faces, [&](const Face& face) {
+    return area_vector(inside, face).dot(corner(inside, face, 0)) * to_centre <= 0.0;
+  });
+  inside.vertices = socket.vertices;
   if (inside.faces.empty()) throw std::invalid_argument("no face of the socket looks to its centre");
   SphereFit fit = fit_ball(inside, options);
   const double apart = (fit.centre - head.centre).norm();

@@ -47,6 +47,7 @@ SphereFit fit_ball(const TriangleMesh& mesh, const BallFitOptions& options = {})
 
 /// Fits a sphere to a socket in the frame of `head`: fit_ball() of the faces that are 0.8 to 1.5 radii of the
 /// head from its centre and look to it. The outer side of a wall and the rest of a pelvis are thus left out.
+/// If most of those that are nearest along their rays look away, the socket is taken as inside out.
 /// Throws std::invalid_argument as fit_sphere() does, if no such face is found, or if the centres are more
 /// than the head's radius apart, as with a glenoid, which is too flat.
 SphereFit fit_socket(const TriangleMesh& socket, const SphereFit& head, const BallFitOptions& options = {});

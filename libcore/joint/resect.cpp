@@ -26,8 +26,12 @@ constexpr CutQuestion kLeastQuestion{.closeness = 0.05, .depth_mm = kInfinity, .
 // For the rim: the ends of its volume close more slowly than the ball's.
 constexpr CutQuestion kRimQuestion{.closeness = 0.05, .depth_mm = 0.2};
 
-constexpr std::string_view kNoVolume =
-    "the socket is no closed mesh of one orientation, so that it is not known how thick its bone is";
+constexpr std::string_view kNoVolumeOfBall =
+    "along rays of the cut the ball's mesh is open or not of one orientation, so that it is not known where "
+    "its bone is";
+constexpr std::string_view kNoVolumeOfSocket =
+    "the socket is no closed mesh of one orientation with the centre outside of its bone, so that it is not "
+    "known how thick its bone is";
 
 // From the joint frame to the files, where the ball lies as scanned; landmarks turn it in the joint.
 Vec3 from_joint_frame(const SessionJoint& joint, Surface of, const Vec3& x) {
@@ -259,7 +263,8 @@ void add_least(const SessionJoint& joint, LeastCut least, ResectAnswer& found) {
 void add_cut(const SessionJoint& joint, const Resection& cut, TriangleMesh whole, ResectAnswer& found) {
   static_cast<CutSize&>(found) = cut;
   found.surface = cut.of;
-  if (!known_ends(found.volume_mm3)) found.volume_why = kNoVolume;
+  if (!known_ends(found.volume_mm3))
+    found.volume_why = cut.of == Surface::ball ? kNoVolumeOfBall : kNoVolumeOfSocket;
   if (!cut.empty()) found.deepest = from_joint_frame(joint, cut.of, cut.before.vertices[cut.deepest]);
   found.mesh_volume_mm3 = cut.cut_mm3;
   found.mesh = std::move(whole);

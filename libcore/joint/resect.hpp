@@ -64,7 +64,8 @@ inline std::optional<TwoEnds> known_ends(const Ends& ends) {
 /// The size of a cut.
 template <>
 inline constexpr std::tuple fields_of<CutSize>{
-    Field{"volume_mm3", "mm^3", "of bone that has to go, at least and at most",
+    Field{"volume_mm3", "mm^3",
+          "of bone that has to go, at least and at most; null where the mesh does not tell where bone is",
           via(&CutSize::volume_mm3, &known_ends)},
     Field{"area_mm2", "mm^2", "of the bone's surface that has to go, at least and at most",
           via(&CutSize::area_mm2, &ends_of)},
@@ -121,7 +122,7 @@ struct ResectAnswer : CutSize {
   Surface surface = Surface::ball;
   std::optional<std::string_view> volume_why;
   std::optional<Vec3> deepest;
-  double mesh_volume_mm3 = 0.0;  // NaN where the mesh is open
+  double mesh_volume_mm3 = 0.0;  // NaN where it is not known
   std::optional<LeastExtent> least;
   std::optional<NeckBar> neck;
   std::vector<ResectLeg> legs;
@@ -139,13 +140,16 @@ struct ResectAnswer : CutSize {
                        &ResectAnswer::surface}},
       fields_of<CutSize>,
       std::tuple{
-          Field{"volume_why", "", "why there is no volume", &ResectAnswer::volume_why},
+          Field{"volume_why", "",
+                "why there is no volume: the ball has to be closed, or met once by each ray of the cut; the "
+                "socket closed, with the centre outside of its bone",
+                &ResectAnswer::volume_why},
           Field{"deepest", "mm",
                 "where the cut is deepest, x, y, z in the frame of the meshes; null: "
                 "nothing has to go",
                 &ResectAnswer::deepest},
           Field{"mesh_volume_mm3", "mm^3",
-                "that the cut mesh takes away; null where it is open, as a socket is of which all of a wall "
+                "that the cut mesh takes away; null where there is no volume, or all of a wall of the socket "
                 "goes",
                 &ResectAnswer::mesh_volume_mm3},
           Field{"least", "",

@@ -7,17 +7,17 @@
 #include <stdexcept>
 
 #include "mesh/surface_vertices.hpp"
-#include "mesh/validation.hpp"
+#include "rotations/bone_along_rays.hpp"
 #include "rotations/radii_over_cap.hpp"
 
 namespace impinge {
 namespace {
 
 const TriangleMesh& closed(const TriangleMesh& mesh) {
-  if (!validate(mesh).volume)
+  if (!is_bone_beside_centre(mesh))
     throw std::runtime_error(
-        "the socket is no closed mesh of one orientation, so that it is not known where its bone is; ask for "
-        "the radial cut, or give the socket with its wall");
+        "the socket is no closed mesh of one orientation with the centre outside of its bone, so that it is "
+        "not known where its bone is; ask for the radial cut, or give the socket with its wall");
   return mesh;
 }
 

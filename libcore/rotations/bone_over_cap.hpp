@@ -14,8 +14,8 @@ namespace impinge {
 /// Numbers in double, rounded outwards.
 class BoneOverCap {
  public:
-  /// mesh in the centre frame, mm. Throws std::runtime_error, one line, unless it is closed and of one
-  /// orientation.
+  /// mesh in the centre frame, mm. Throws std::runtime_error, one line, unless it is_bone_beside_centre()
+  /// (rotations/bone_along_rays.hpp).
   explicit BoneOverCap(const TriangleMesh& mesh);
 
   /// Radii in bone over the cap, mm: certain along every ray, possible along any.

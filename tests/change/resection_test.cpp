@@ -4,7 +4,9 @@
 #include "change/resection.hpp"
 
 #include <cmath>
+#include <functional>
 #include <random>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -13,6 +15,7 @@
 #include "hip/hip_presets.hpp"
 #include "limits/bump_under_a_cup.hpp"
 #include "limits/turn_limit.hpp"
+#include "mesh/validation.hpp"
 #include "support/dice.hpp"
 #include "support/joined.hpp"
 #include "support/random_cases.hpp"
@@ -80,6 +83,65 @@ TEST(Resection, OfABumpIsItsClosedForm) {
   expect_closed_form_of_a_bump(bump_under_a_cup());
   expect_closed_form_of_a_bump(inside_out(bump_under_a_cup()));
   expect_closed_form_of_a_bump(twice(bump_under_a_cup()));
+}
+
+// A sphere of 20 mm about the centre, and over it a slab from 26.6 to 28 mm, 10 degrees wide about +z,
+// where a socket is of 26 mm: all of it has to go.
+TriangleMesh slab() {
+  std::vector<LatheRing> rings = sphere_rings(28.0, 10.0 * kDegree, kDegree);
+  const std::vector<LatheRing> inside = sphere_rings(26.6, 10.0 * kDegree, kDegree);
+  rings.insert(rings.end(), inside.rbegin(), inside.rend());
+  return revolve({rings, Vec3::UnitZ(), Vec3::Zero(), 60});
+}
+TriangleMesh over_a_sphere(const TriangleMesh& mesh) {
+  return test::joined(revolve({sphere_rings(20.0, kPi, 5.0 * kDegree), Vec3::UnitZ(), Vec3::Zero(), 40}),
+                      mesh);
+}
+// Without the faces that have some corner where `gone` says so.
+TriangleMesh without(TriangleMesh mesh, const std::function<bool(const Vec3&)>& gone) {
+  std::erase_if(mesh.faces, [&](const Face& face) {
+    return std::ranges::any_of(face, [&](VertexIndex v) { return gone(mesh.vertices[v]); });
+  });
+  return mesh;
+}
+
+TEST(Resection, OfABallThatIsNotStarShapedIsKnownWhereItIsClosedAlongTheCut) {
+  const std::vector<RequiredLeg> legs{turn_about_y(30.0)};
+  const SweptRadius swept(bump_under_a_cup().socket, legs);
+  const SweptBone bone(cup_with_a_wall(), legs, 0.5);
+  const CutQuestion question{.clearance_mm = 0.5, .closeness = 0.1, .most_new_faces = 2000};
+  const auto volume_to = [](double radius) {
+    return 2.0 * kPi / 3.0 * (1.0 - std::cos(10.0 * kDegree)) * (std::pow(radius, 3) - std::pow(26.6, 3));
+  };
+  const double whole = volume_to(28.0);
+  const double least = volume_to(kWallRadius + 0.5);
+  const TriangleMesh closed = over_a_sphere(slab());
+  ASSERT_TRUE(validate(closed).volume);
+  for (const TriangleMesh& ball :
+       {closed, test::inside_out(closed), without(closed, [](const Vec3& x) { return x.z() < -15.0; })}) {
+    const Resection cut = least_radial_cut(ball, swept, question);
+    EXPECT_LE(cut.volume_mm3.low, whole * 1.005);
+    EXPECT_GE(cut.volume_mm3.high, whole * 0.995);
+    EXPECT_LE(cut.volume_mm3.high - cut.volume_mm3.low, 0.2 * whole);
+    EXPECT_GE(cut.cut_mm3, cut.volume_mm3.low);
+    const LeastCut less = least_cut(ball, bone, question);
+    EXPECT_LE(less.volume_mm3.low, least * 1.01);
+    EXPECT_GE(less.volume_mm3.high, least * 0.99);
+    EXPECT_LE(less.volume_mm3.high - less.volume_mm3.low, 0.5 * least);
+  }
+  const auto at = [](double radius) {
+    return [radius](const Vec3& x) { return std::abs(x.norm() - radius) < 0.1; };
+  };
+  const auto near_top = [](const Vec3& x) { return x.norm() < 21.0 && x.z() > 15.0; };
+  for (const TriangleMesh& ball : {without(closed, at(28.0)), without(closed, at(26.6)),
+                                   without(closed, near_top), over_a_sphere(test::inside_out(slab()))}) {
+    const Resection cut = least_radial_cut(ball, swept, question);
+    EXPECT_GT(cut.depth_mm.high, 0.9);
+    EXPECT_EQ(cut.volume_mm3.low, 0.0);
+    EXPECT_EQ(cut.volume_mm3.high, HUGE_VAL);
+    EXPECT_TRUE(std::isnan(cut.cut_mm3));
+    EXPECT_EQ(least_cut(ball, bone, question).volume_mm3.high, HUGE_VAL);
+  }
 }
 
 // All bump above the inside of the wall goes out to its outside, and what is beyond stays.

@@ -2,6 +2,8 @@
 // The least radial cut of a socket: its size beside an integral over a formula, what it leaves beside the
 // exact overlay, and what one hair less would leave.
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +12,7 @@
 #include "hip/hip_presets.hpp"
 #include "limits/bump_under_a_cup.hpp"
 #include "limits/turn_limit.hpp"
+#include "mesh/validation.hpp"
 #include "rotations/bone_over_cap.hpp"
 #include "support/dice.hpp"
 #include "support/joined.hpp"
@@ -27,27 +30,31 @@ double farthest_of_bump(const Vec3& v) {
   return bump_radius(std::acos(std::min(1.0, v.dot(top))));
 }
 
-// What of a cup between two radii has to go, by the midpoint rule.
+// What has to go of a cup of bone for a clearance of 0.5 mm, by the midpoint rule. Rays come into bone at the
+// first radius, leave it at the second, and so on.
 struct CutOfCup {
   double area_mm2 = 0.0;
   double volume_mm3 = 0.0;
 };
-CutOfCup cut_of_cup(double outer, double clearance) {
+CutOfCup cut_of_cup(const std::vector<double>& radii, double half_opening = 87.0 * kDegree) {
   constexpr int kPolar = 600;
   constexpr int kAround = 1200;
   CutOfCup cut;
   for (int i = 0; i < kPolar; ++i) {
-    const double polar = (i + 0.5) * 87.0 * kDegree / kPolar;
-    const double angle = std::sin(polar) * 87.0 * kDegree / kPolar * 2.0 * kPi / kAround;
+    const double polar = (i + 0.5) * half_opening / kPolar;
+    const double angle = std::sin(polar) * half_opening / kPolar * 2.0 * kPi / kAround;
     for (int k = 0; k < kAround; ++k) {
       const double turn = (k + 0.5) * 2.0 * kPi / kAround;
-      const double clear = clearance + farthest_of_bump({std::sin(polar) * std::cos(turn),
-                                                         std::sin(polar) * std::sin(turn), std::cos(polar)});
-      if (clear > kCupRadius) {
-        cut.area_mm2 += angle * kCupRadius * kCupRadius;
-        cut.volume_mm3 += angle * (std::pow(std::min(clear, outer), 3) - std::pow(kCupRadius, 3)) / 3.0;
+      const double clear = 0.5 + farthest_of_bump({std::sin(polar) * std::cos(turn),
+                                                   std::sin(polar) * std::sin(turn), std::cos(polar)});
+      double sign = 1.0;
+      for (const double radius : radii) {
+        if (clear > radius) {
+          cut.area_mm2 += angle * radius * radius;
+          cut.volume_mm3 += sign * angle * (std::pow(clear, 3) - std::pow(radius, 3)) / 3.0;
+        }
+        sign = -sign;
       }
-      if (clear > outer) cut.area_mm2 += angle * outer * outer;
     }
   }
   return cut;
@@ -68,7 +75,7 @@ TEST(RimResection, OfASheetIsTheIntegralOverAFormula) {
   const BallSocketPair joint = bump_under_a_cup(40, 2.5);
   const SweptRadius swept(joint.ball, {turn_about_y(90.0)}, Surface::socket);
   const Resection cut = least_radial_cut(joint.socket, swept, kEnoughForATest);
-  expect_near_ends(cut.area_mm2, cut_of_cup(1e9, 0.5).area_mm2, 0.004);
+  expect_near_ends(cut.area_mm2, cut_of_cup({kCupRadius}).area_mm2, 0.004);
   EXPECT_LT(share_between(cut.area_mm2), 0.12);
   expect_near_ends(cut.depth_mm, kHeadRadius + kBumpHeight + 0.5 - kCupRadius, 0.01);
   EXPECT_LT(share_between(cut.depth_mm), 0.1);
@@ -84,7 +91,7 @@ TEST(RimResection, OfAWallIsTheIntegralOverAFormula) {
   for (const double outside : {kWallRadius, 29.5}) {
     const bool thick = outside > kWallRadius;
     const Resection cut = least_radial_cut(cup_with_a_wall(outside), swept, kEnoughForATest);
-    const CutOfCup formula = cut_of_cup(outside, 0.5);
+    const CutOfCup formula = cut_of_cup({kCupRadius, outside});
     expect_near_ends(cut.volume_mm3, formula.volume_mm3, 0.02);
     expect_near_ends(cut.area_mm2, formula.area_mm2, 0.02);
     expect_near_ends(cut.depth_mm, std::min(outside, kHeadRadius + kBumpHeight + 0.5) - kCupRadius,
@@ -196,6 +203,54 @@ TEST(RimResection, OfAWallInsideOutIsTheSame) {
   EXPECT_EQ(turned.cut.faces.size(), cut.cut.faces.size());
 }
 
+// Spheres about the centre with bone outside of the first, inside of the second, and so on.
+TriangleMesh spheres(const std::vector<double>& radii) {
+  TriangleMesh all;
+  bool outwards = false;
+  for (const double radius : radii) {
+    const TriangleMesh one = revolve({sphere_rings(radius, kPi, 4.0 * kDegree), Vec3::UnitZ(), {}, 90});
+    all = test::joined(std::move(all), outwards ? one : test::inside_out(one));
+    outwards = !outwards;
+  }
+  return all;
+}
+
+TEST(RimResection, OfShellsAllRoundIsTheIntegralOverAFormula) {
+  const BallSocketPair joint = bump_under_a_cup(40, 2.5);
+  const SweptRadius swept(joint.ball, {turn_about_y(90.0)}, Surface::socket);
+  CutQuestion question = kEnoughForATest;
+  question.most_new_faces = 5000;
+  for (const std::vector<double>& radii : {std::vector{26.0, 30.0}, std::vector{26.0, 27.0, 28.0, 30.0}}) {
+    const TriangleMesh shells = spheres(radii);
+    ASSERT_GT(validate(shells).volume, 0.0);
+    const CutOfCup formula = cut_of_cup(radii, kPi);
+    for (const TriangleMesh& socket : {shells, test::inside_out(shells)}) {
+      const Resection cut = least_radial_cut(socket, swept, question);
+      expect_near_ends(cut.volume_mm3, formula.volume_mm3, 0.01);
+      expect_near_ends(cut.area_mm2, formula.area_mm2, 0.01);
+      expect_near_ends(cut.depth_mm, 2.5, 0.02);
+      EXPECT_LT(cut.volume_mm3.high, 4.0 * formula.volume_mm3);  // of a thin wall the ends close slowly
+    }
+  }
+}
+
+// Bone all beyond a sphere has no outer side.
+TEST(RimResection, KnowsNoVolumeOfOneSurfaceAllRound) {
+  const BallSocketPair joint = bump_under_a_cup(40, 2.5);
+  const SweptRadius swept(joint.ball, {turn_about_y(90.0)}, Surface::socket);
+  const TriangleMesh sphere = spheres({kCupRadius});
+  CutQuestion question = kEnoughForATest;
+  question.most_new_faces = 2000;
+  for (const TriangleMesh& socket : {sphere, test::inside_out(sphere), spheres({kCupRadius, 27.0, 29.0})}) {
+    const Resection cut = least_radial_cut(socket, swept, question);
+    EXPECT_EQ(cut.volume_mm3.high, HUGE_VAL);
+    EXPECT_TRUE(std::isnan(cut.cut_mm3));
+    expect_near_ends(cut.depth_mm, 2.5, 0.02);
+    EXPECT_LT(share_between(cut.depth_mm), 0.1);
+    EXPECT_THROW(BoneOverCap{socket}, std::runtime_error);
+  }
+}
+
 // The sum over faces is bone only where all shells are the same way round.
 TEST(RimResection, KnowsNoVolumeOfShellsThatAreNotOfOneOrientation) {
   const BallSocketPair joint = bump_under_a_cup(40, 2.5);
@@ -216,7 +271,12 @@ TEST(RimResection, KnowsNoVolumeOfShellsThatAreNotOfOneOrientation) {
     EXPECT_LE(known.low, known.high);
     EXPECT_NEAR(known.high, 200.0, 100.0);
   }
-  EXPECT_EQ(volume(mirrored).high, HUGE_VAL);
+  TriangleMesh across = test::inside_out(block);  // over the back of the block
+  for (Vec3& x : across.vertices) x *= 1.125;
+  for (const TriangleMesh& other : {mirrored, across}) {
+    EXPECT_EQ(volume(other).high, HUGE_VAL);
+    EXPECT_THROW(BoneOverCap{test::joined(block, other)}, std::runtime_error);
+  }
 }
 
 // A pincer that is to reach more than it does, with or without a wall.

@@ -17,6 +17,7 @@
 #include "hip/hip_presets.hpp"
 #include "hip/joint.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/validation.hpp"
 #include "support/joined.hpp"
 #include "support/thrown.hpp"
 #include "support/turned.hpp"
@@ -195,6 +196,18 @@ TEST(SocketFit, IsThatOfTheInnerWallWhereTheOuterOneIsLarger) {
   EXPECT_NEAR(found.radius, 25.0, 0.02);
   head.centre = Vec3(0.0, 0.0, 500.0);
   EXPECT_THROW(fit_socket(walls, head), std::invalid_argument);
+}
+
+// As near to the head as the inner wall of a thin one is the outer, which is what looks to the centre.
+TEST(SocketFit, OfAWallInsideOutIsTheSame) {
+  SphereFit head;
+  head.radius = kHead;
+  for (const double outside : {27.0, 40.0}) {
+    const TriangleMesh wall = test::with_back(cup(25.0, 85.0, 3000), cup(outside, 85.0, 3000));
+    ASSERT_GT(validate(wall).volume, 0.0);
+    for (const TriangleMesh& socket : {wall, test::inside_out(wall), test::inside_out(cup(25.0, 85.0, 3000))})
+      EXPECT_NEAR(fit_socket(socket, head).radius, 25.0, 0.02);
+  }
 }
 
 TEST(SocketFit, OfOneThatIsTooFlatIsNone) {

@@ -2,6 +2,8 @@
 // Where a cut of a user's ball, or socket, is refused; what it leaves: tests/motion,
 // tests/e2e/test_frames.py.
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -12,6 +14,8 @@
 #include "hip/hip_presets.hpp"
 #include "joint/resect.hpp"
 #include "mesh/edges.hpp"
+#include "mesh/validation.hpp"
+#include "support/joined.hpp"
 #include "support/thrown.hpp"
 
 namespace impinge {
@@ -135,6 +139,51 @@ TEST(SessionResection, LiesInTheFrameOfTheFilesWhereLandmarksTurnTheBall) {
   EXPECT_GT(deepest, 0.1);
   const auto on_ray = [&](const Vec3& x) { return cut.deepest->cross(x).norm() < 1e-6 * x.squaredNorm(); };
   EXPECT_TRUE(std::any_of(cut.mesh.vertices.begin(), cut.mesh.vertices.end(), on_ray));
+}
+
+Session cam_in_a_wall(const std::function<void(Joint&)>& change) {
+  HipParameters cam = hip_preset("cam");
+  cam.wall_thickness = 2.0;
+  Joint joint = scanned_hip(cam, 1500).joint->joint;
+  change(joint);
+  return {std::move(joint), Side::right, "RAS"};
+}
+
+// A ball that is not closed has a volume of the cut if all it lacks is elsewhere, as here the end of its
+// neck.
+TEST(SessionResection, SaysWhyThereIsNoVolume) {
+  ResectRequest request = asked("flexion=90,internal_rotation=35");
+  request.least = true;
+  Session whole = cam_in_a_wall([](Joint&) {});
+  ASSERT_FALSE(validate(whole.joint->joint.ball.mesh).volume);
+  const ResectAnswer known = answer(whole, request);
+  EXPECT_GT(known.volume_mm3.low, 10.0);
+  EXPECT_FALSE(known.volume_why);
+  Session open = cam_in_a_wall([&](Joint& joint) {
+    const Vec3 at = 0.3 * *known.deepest;
+    const Vec3 across = at.unitOrthogonal();
+    test::add_face(joint.ball.mesh, at, at + across, at + at.normalized().cross(across));
+  });
+  const ResectAnswer unknown = answer(open, request);
+  EXPECT_FALSE(known_ends(unknown.volume_mm3));
+  EXPECT_FALSE(known_ends(unknown.least->volume_mm3));
+  EXPECT_EQ(unknown.volume_why.value().substr(0, 50), "along rays of the cut the ball's mesh is open or n");
+  EXPECT_TRUE(std::isnan(unknown.mesh_volume_mm3));
+  EXPECT_EQ(unknown.area_mm2.low, known.area_mm2.low);
+}
+
+// Of a wall that is inside out the outer side looks to the centre.
+TEST(SessionRimResection, LeavesTheBearingSurfaceOfAWallInsideOutAlone) {
+  for (const double thickness : {2.0, 20.0}) {
+    HipParameters pincer = hip_preset("pincer");
+    pincer.wall_thickness = thickness;
+    Joint joint = scanned_hip(pincer).joint->joint;
+    joint.socket.mesh = test::inside_out(std::move(joint.socket.mesh));
+    Session session(std::move(joint), Side::right, "RAS");
+    const std::string said = thrown<std::runtime_error>(
+        [&] { answer(session, asked_of_rim("flexion=90,internal_rotation=30", 1.0)); });
+    EXPECT_EQ(said.find("the cut would reach the bearing surface of the socket at ("), 0U) << said;
+  }
 }
 
 TEST(SessionResection, SaysWhereTheBallsMeshEnds) {

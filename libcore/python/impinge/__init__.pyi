@@ -265,7 +265,7 @@ class MeasureAnswer(TypedDict):
     measures: list[Measure]  # each measure
 
 class Least(TypedDict):
-    volume_mm3: list[float] | None  # of bone that has to go, at least and at most (mm^3)
+    volume_mm3: list[float] | None  # of bone that has to go, at least and at most; null where the mesh does not tell where bone is (mm^3)
     area_mm2: list[float]  # of the bone's surface that has to go, at least and at most (mm^2)
     depth_mm: list[float]  # the largest along a ray from the centre, at least and at most: to where the other bone is clear of it, or a closed mesh ends (mm)
     cells: int  # parts of the ball's surface in swept.csv
@@ -295,12 +295,12 @@ class Leg(TypedDict):
 
 class ResectAnswer(TypedDict):
     surface: Literal["ball", "socket"]  # which bone the least radial cut about the centre of rotation is of. It leaves no undercut, and narrows the bone behind the rim all the way out, where a cut that follows the rim could take less; of the socket it takes all bone nearer to the centre than the ball reaches, with the clearance
-    volume_mm3: list[float] | None  # of bone that has to go, at least and at most (mm^3)
+    volume_mm3: list[float] | None  # of bone that has to go, at least and at most; null where the mesh does not tell where bone is (mm^3)
     area_mm2: list[float]  # of the bone's surface that has to go, at least and at most (mm^2)
     depth_mm: list[float]  # the largest along a ray from the centre, at least and at most: to where the other bone is clear of it, or a closed mesh ends (mm)
-    volume_why: str | None  # why there is no volume
+    volume_why: str | None  # why there is no volume: the ball has to be closed, or met once by each ray of the cut; the socket closed, with the centre outside of its bone
     deepest: list[float] | None  # where the cut is deepest, x, y, z in the frame of the meshes; null: nothing has to go (mm)
-    mesh_volume_mm3: float  # that the cut mesh takes away; null where it is open, as a socket is of which all of a wall goes (mm^3)
+    mesh_volume_mm3: float  # that the cut mesh takes away; null where there is no volume, or all of a wall of the socket goes (mm^3)
     least: Least | None  # of the least cut of all, if it was asked for: what the bone of the socket sweeps through within the clearance; bone beyond stays, over an undercut
     neck: Neck | None  # widest round bar about the axis of the neck that stays whole; null without a neck, or without a cut beside it
     legs: list[Leg]  # of the required paths; none touches after the cut
