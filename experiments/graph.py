@@ -77,15 +77,15 @@ class Joint:
 
 
 def find_joint(folder: Path) -> Joint | None:
-    """The joint in a folder. None if a mesh is missing, or if its description has no centre, an unknown side, or axes that are
-    not right-handed; programs leave such a folder out, too.
+    """The joint in a folder. None if a mesh is missing or there twice, or if its description has no centre, an unknown side, or axes
+    that are none of a right-handed frame; programs leave such a folder out, too.
     """
 
-    def first(names: tuple[str, ...]) -> Path | None:
-        files = (folder / f"{name}.{kind}" for name in names for kind in MESHES)
-        return next((file for file in files if file.is_file()), None)
+    def only(names: tuple[str, ...]) -> Path | None:
+        files = [file for name in names for kind in MESHES if (file := folder / f"{name}.{kind}").is_file()]
+        return files[0] if files and all(files[0].stem == f"{file.stem}_facing" for file in files[1:]) else None
 
-    ball, socket, subject = first(BALLS), first(SOCKETS), folder / "subject.json"
+    ball, socket, subject = only(BALLS), only(SOCKETS), folder / "subject.json"
     if not ball or not socket:
         return None
     if not subject.is_file():
@@ -102,11 +102,22 @@ def find_joint(folder: Path) -> Joint | None:
     if side not in (None, "left", "right"):
         return None
     options = ["--side", side] if side else []
-    ends = re.findall(rf"= (?:patient )?({'|'.join(WAYS)})", axes) if isinstance(axes, str) else []
-    if ends and not right_handed([WAYS.index(end) for end in ends]):
-        return None
-    options += ["--axes", "".join(end[0].upper() for end in ends)] if ends else []
+    if axes is not None:
+        code = axis_code(axes) if isinstance(axes, str) else None
+        if not code or not right_handed(["RASLPI".index(letter) for letter in code]):
+            return None
+        options += ["--axes", code]
     return Joint(folder.name, ball, socket, subject, options)
+
+
+def axis_code(text: str) -> str | None:
+    """Three letters, given as such or in words as libcore/joint/joint_folder.hpp reads them."""
+    end = rf"\s*([+-])([xyz])\s*=\s*(?:patient\s+)?({'|'.join(WAYS)})\s*"
+    found = re.fullmatch(rf"{end},{end},{end}(?:\(.*\)\s*)?", text)
+    if not found:
+        return text if re.fullmatch("[RASLPI]{3}", text) else None
+    ends = {found[k + 1]: WAYS[(WAYS.index(found[k + 2]) + 3 * (found[k] == "-")) % 6] for k in (1, 4, 7)}
+    return "".join(ends[axis][0].upper() for axis in "xyz") if len(ends) == 3 else None
 
 
 def right_handed(ways: list[int]) -> bool:

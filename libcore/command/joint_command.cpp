@@ -8,6 +8,7 @@
 #include "command/joint_options.hpp"
 #include "command/program.hpp"
 #include "command/question_command.hpp"
+#include "files/file_error.hpp"
 #include "files/joined.hpp"
 #include "files/one_line.hpp"
 #include "joint/rest_contact.hpp"
@@ -52,7 +53,8 @@ Json document_schema(const QuestionCommand& question) {
 Told ask(const JointCommand& command, const JointOptions& options, const Work& work, const Screen& screen) {
   Stopwatch watch;
   const QuestionCommand& question = command.question;
-  if (options.cartilage_mm) question.use_cartilage(*options.cartilage_mm);
+  // As if no joint had been before it; the scan's own thickness is found once the joint is there.
+  question.use_cartilage(options.cartilage_of_scan ? 0.0 : options.cartilage_mm);
   Session session = load_joint(options, question.scan_contact());
   std::string said = describe_joint(options, session.joint->joint);
   if (options.cartilage_of_scan) {
@@ -147,19 +149,27 @@ void run_one(const JointCommand& command, const Screen& screen) {
 }
 
 // What is given for all joints takes precedence over a joint's own description.
-JointOptions options_of(const JointOptions& all, const JointFolder& at) {
-  JointOptions options = all;
+JointOptions options_of(const JointCommand& command, const JointFolder& at) {
+  JointOptions options = command.joint;
   options.ball = at.ball;
   options.socket = at.socket;
-  if (!options.centre) options.centre = at.centre;
-  if (!options.side) options.side = at.side;
-  if (!options.axes) options.axes = at.axes;
+  use_description(*command.app, at, options);
   return options;
+}
+
+// A later command would take the answers in there for joints.
+void require_elsewhere(const fs::path& out, const fs::path& joints) {
+  const fs::path inner = fs::weakly_canonical(out);
+  const fs::path outer = fs::canonical(joints);
+  if (std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end())
+    throw FileError(out, "lies in the folder of the joints, as if its meshes were joints",
+                    "choose another folder with --out");
 }
 
 // Asks each joint in a folder of its own, and writes a table of them all.
 void run_all(const JointCommand& command, const Screen& screen) {
   const JointFolders folders = find_joints(command.joints);
+  require_elsewhere(command.out, command.joints);
   Work work = command.work;
   Table table;
   Json documents = Json::array();
@@ -171,7 +181,7 @@ void run_all(const JointCommand& command, const Screen& screen) {
     try {
       AnswerFolder folder(command.out / at.subject);
       work.out = folder.path();
-      const JointOptions options = options_of(command.joint, at);
+      const JointOptions options = options_of(command, at);
       work.inputs = inputs_of(command, options);
       Told told = ask(command, options, work, screen);
       if (!told.table_name.empty()) table_name = told.table_name;

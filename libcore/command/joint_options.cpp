@@ -40,16 +40,6 @@ void set_cartilage(const std::string& text, JointOptions& options) {
   }
 }
 
-// Takes from the file what the command line does not give.
-void use_description(const CLI::App& command, const fs::path& file, JointOptions& options) {
-  const JointDescription said = read_description(file);
-  for_each_field<JointDescription>([&](const auto& field) {
-    const CLI::Option* option = command.get_option_no_throw(option_name(field.name));
-    if (option != nullptr && option->count() == 0)
-      field.of(static_cast<JointDescription&>(options)) = field.of(said);
-  });
-}
-
 // Reads a file of bone. With keep_largest it keeps only the largest piece, and `said` tells of the others.
 TriangleMesh read_file(const fs::path& file, bool keep_largest, std::vector<std::string>& said) {
   TriangleMesh mesh = read_mesh(file);
@@ -85,6 +75,14 @@ std::vector<std::string> texts_of(const std::vector<fs::path>& files) {
 }
 
 }  // namespace
+
+void use_description(const CLI::App& command, const JointDescription& said, JointOptions& options) {
+  for_each_field<JointDescription>([&](const auto& field) {
+    const CLI::Option* option = command.get_option_no_throw(option_name(field.name));
+    if (option != nullptr && option->count() == 0)
+      field.of(static_cast<JointDescription&>(options)) = field.of(said);
+  });
+}
 
 std::function<void()> add_joint_options(CLI::App& command, JointOptions& options) {
   const auto describe = [](CLI::Option* option, const char* type) {
@@ -138,7 +136,8 @@ std::function<void()> add_joint_options(CLI::App& command, JointOptions& options
   add("--config", options.config, "FILE",
       "JSON with side, axes, centre, parts, landmarks, cartilage_mm of the joint");
   return [&command, &options] {
-    if (options.config) use_description(command, *options.config, options);
+    if (options.config)
+      use_description(command, read_description(*options.config, OtherKeys::refused), options);
   };
 }
 

@@ -33,6 +33,9 @@ struct JointOptions : JointDescription {
 /// nothing. The returned function reads that file; call it after all options are read.
 [[nodiscard]] std::function<void()> add_joint_options(CLI::App& command, JointOptions& options);
 
+/// Takes from a description what the command line does not give.
+void use_description(const CLI::App& command, const JointDescription& said, JointOptions& options);
+
 /// All files that are read, so that no output replaces them.
 std::vector<std::filesystem::path> files_of(const JointOptions& options);
 

@@ -2,7 +2,7 @@
 #include "joint/joint_folder.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <initializer_list>
 #include <regex>
 #include <stdexcept>
@@ -24,25 +24,50 @@ constexpr std::initializer_list<const char*> kSockets{"socket", "acetabulum_faci
                                                       "acetabulum", "glenoid"};
 constexpr const char* kSubject = "subject.json";
 
-// The first mesh file of these names that is there.
+// The mesh file of one of these names. Which of two is meant nobody can tell, but that what faces the other
+// bone counts before the whole of it.
 std::optional<fs::path> find_mesh(const fs::path& folder, std::initializer_list<const char*> names) {
+  std::optional<fs::path> found;
   for (const char* name : names) {
     for (const std::string_view format : words_of<MeshFormat>) {
       const fs::path file = folder / (std::string(name) + '.' + std::string(format));
-      if (fs::is_regular_file(file)) return file;
+      if (!fs::is_regular_file(file)) continue;
+      if (found && found->stem() != std::string(name) + "_facing")
+        throw FileError(folder, "has both " + found->filename().string() + " and " + file.filename().string(),
+                        "leave the one that is meant");
+      if (!found) found = file;
     }
   }
-  return std::nullopt;
+  return found;
 }
 
-// An axis code, given as such or by a text such as "+x = patient left, +y = posterior, +z = superior".
-std::optional<std::string> axes_of(const std::string& text) {
-  static const std::regex way("= (?:patient )?(right|left|anterior|posterior|superior|inferior)");
-  std::string code;
-  for (auto end = std::sregex_iterator(text.begin(), text.end(), way); end != std::sregex_iterator(); ++end)
-    code += static_cast<char>(std::toupper(static_cast<unsigned char>((*end)[1].str().front())));
-  if (code.empty() && text.size() == 3) code = text;
-  if (code.empty()) return std::nullopt;
+// Throws FileError for a mesh that a command wrote beside its answer, in the pose that was asked about.
+void require_given(const fs::path& mesh) {
+  const fs::path file = mesh.parent_path() / "summary.json";
+  if (!fs::is_regular_file(file)) return;
+  const Json told = Json::parse(read_bytes(file), nullptr, /*allow_exceptions=*/false);
+  const Json files = told.is_object() ? told.value("files", Json()) : Json();
+  if (std::find(files.begin(), files.end(), mesh.filename().string()) != files.end())
+    throw FileError(mesh, "is of the answer in summary.json, and may be moved",
+                    "give the mesh that was asked about");
+}
+
+// An axis code, given as such or by a text such as "+x = patient left, +y = posterior, +z = superior (LPS)".
+// Any other text is refused, for without axes the meshes' headers would count, or RAS.
+std::string axes_of(const std::string& text) {
+  static const std::string axis(
+      R"(\s*([+-])([xyz])\s*=\s*(?:patient\s+)?(right|left|anterior|posterior|superior|inferior)\s*)");
+  static const std::regex three(axis + "," + axis + "," + axis + R"((?:\(.*\)\s*)?)");
+  constexpr std::string_view kWays = "RLAPSI";  // each beside its opposite
+  std::string code = text;
+  if (std::smatch found; std::regex_match(text, found, three)) {
+    code = "   ";
+    for (std::size_t k = 1; k < found.size(); k += 3) {
+      const std::size_t way = kWays.find(static_cast<char>(found.str(k + 2).front() - 'a' + 'A'));
+      code[static_cast<std::size_t>(found.str(k + 1).front() - 'x')] =
+          kWays[found.str(k) == "+" ? way : way ^ 1U];
+    }
+  }
   input_to_joint(code);
   return code;
 }
@@ -53,10 +78,11 @@ JointFolder joint_in(const fs::path& subject) {
   const auto socket = find_mesh(subject, kSockets);
   if (!ball || !socket)
     throw std::runtime_error(subject.string() + " has no " + (ball ? "socket" : "ball") + " mesh");
+  for (const fs::path& mesh : {*ball, *socket}) require_given(mesh);
   const fs::path file = subject / kSubject;
   JointDescription said;
   if (fs::is_regular_file(file)) {
-    said = read_description(file);
+    said = read_description(file, OtherKeys::of_data);
     if (!said.centre)
       throw std::runtime_error(file.string() +
                                ": no center_of_rotation_mm: give the centre of rotation as [x, y, z], or "
@@ -78,9 +104,30 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
   return folders;
 }
 
+// Throws std::invalid_argument, one line, for a key without effect that was meant to have one.
+void check_other_key(const std::string& key, const Json& value, OtherKeys others) {
+  constexpr std::array<std::string_view, 5> kOfSession{"program", "commit", "page", "ball", "socket"};
+  constexpr std::array<std::string_view, 3> kOfProgram{"overlap_mm", "ignore_rest_contact", "keep"};
+  const auto starts = [&](std::string_view name) { return name.starts_with(key) || key.starts_with(name); };
+  if (key == "unit" || key == "units") {
+    if (value != "mm") throw std::invalid_argument(key + ": is " + value.dump() + "; give all lengths in mm");
+    return;
+  }
+  if (std::find(kOfSession.begin(), kOfSession.end(), key) != kOfSession.end()) return;
+  if (std::any_of(kOfProgram.begin(), kOfProgram.end(), starts))
+    throw std::invalid_argument(key + ": is no key; it is an option of the command line");
+  const std::vector<std::string_view> names = names_of_fields<JointDescription>();
+  const auto cut = std::find_if(names.begin(), names.end(), starts);
+  const std::string_view meant = cut != names.end() ? *cut : near_word(key, names);
+  if (!meant.empty())
+    throw std::invalid_argument(key + ": is no key; did you mean " + std::string(meant) + "?");
+  if (others == OtherKeys::refused)
+    throw std::invalid_argument(key + ": is no key; there are " + joined(names));
+}
+
 }  // namespace
 
-JointDescription read_description(const fs::path& file) {
+JointDescription read_description(const fs::path& file, OtherKeys others) {
   const Json given = Json::parse(read_bytes(file), nullptr, /*allow_exceptions=*/false);
   if (!given.is_object()) throw FileError(file, "is no JSON object", "write one, as {\"side\": \"left\"}");
   JointDescription said;
@@ -88,10 +135,7 @@ JointDescription read_description(const fs::path& file) {
     for (const auto& [key, value] : given.items()) {
       if (key == "landmarks" && value.is_array())
         throw std::invalid_argument("landmarks: are one file; name it");
-      if (read_field(key, value, said)) continue;
-      const std::string_view meant = near_word(key, names_of_fields<JointDescription>());
-      if (!meant.empty())
-        throw std::invalid_argument(key + ": is no key; did you mean " + std::string(meant) + "?");
+      if (!read_field(key, value, said)) check_other_key(key, value, others);
     }
     if (said.axes) said.axes = axes_of(*said.axes);
   } catch (const std::invalid_argument& error) {

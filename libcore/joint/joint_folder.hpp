@@ -3,10 +3,10 @@
 // holds, in one frame and in millimetres,
 //   ball, femoral_head or humeral_head                                      the ball
 //   socket, acetabulum_facing, glenoid_facing, acetabulum or glenoid        the socket
-// as .ply, .stl, .obj, .off, .vtp or .vtk. The first of these names that is there counts. It may also hold
+// as .ply, .stl, .obj, .off, .vtp or .vtk. Of a _facing mesh and the same without it the former counts; any
+// other two are refused, and so are meshes that a command wrote beside its answer. It may also hold
 //   subject.json      the centre of rotation, "center_of_rotation_mm": [x, y, z], which is otherwise fitted
-//                     to the ball; perhaps the head's radius, "radius_mm", and the "side" and "axes" of
-//                     results/README.md
+//                     to the ball; perhaps more of JointDescription, and notes
 #pragma once
 
 #include <filesystem>
@@ -46,9 +46,18 @@ struct JointDescription {
             &JointDescription::ball_parts},
       Field{"socket_part", "", "the same of the socket", &JointDescription::socket_parts}};
 };
-/// Reads a description. Throws FileError for a file that is no JSON object, for a value of the wrong kind,
-/// and for a key that differs from one of these by a letter or two.
-JointDescription read_description(const std::filesystem::path& file);
+
+/// May a description have other keys? Those of a saved session of Joint3D, "program", "commit", "page",
+/// "ball" and "socket", it always may.
+enum class OtherKeys {
+  refused,  // a file of options, whose every key is to count
+  of_data   // subject.json also has notes, a source, a licence
+};
+/// Reads a description. Throws FileError for a file that is no JSON object, or std::runtime_error, one line
+/// with its name: for a value of the wrong kind, axes that are none, another "unit" or "units" than mm, and a
+/// key that is refused. Of data those are refused that were surely meant to count: a letter or two away from
+/// one of these, one of these cut short or with more behind it ("centre_mm"), and options of the program.
+JointDescription read_description(const std::filesystem::path& file, OtherKeys others);
 
 /// One joint, as its folder describes it.
 struct JointFolder : JointDescription {

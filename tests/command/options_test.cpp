@@ -11,6 +11,7 @@
 #include "joint/resect.hpp"
 #include "support/command_line.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/thrown.hpp"
 
 namespace impinge {
 namespace {
@@ -57,6 +58,27 @@ TEST(JointOptions, CountBeforeWhatAFileSays) {
   EXPECT_EQ(options.cartilage_mm, 3.0);
   EXPECT_EQ(*options.centre, Vec3(1.0, 2.0, 3.0));
   EXPECT_EQ(options.ball_parts, std::vector<std::filesystem::path>{folder.path() / "a.ply"});
+}
+
+// By letter and sign, not by the order of words.
+TEST(JointOptions, ReadAxesInWords) {
+  const test::TemporaryFolder folder;
+  const auto axes = [&](const std::string& text) {
+    return joint_of("--config " + folder.write("joint.json", R"({"axes": ")" + text + R"("})").string()).axes;
+  };
+  EXPECT_EQ(axes("LPS"), "LPS");
+  EXPECT_EQ(axes("+x = patient left, +y = posterior, +z = superior (LPS)"), "LPS");
+  EXPECT_EQ(axes("+x=left, +y=posterior, +z=superior"), "LPS");
+  EXPECT_EQ(axes("+z = superior, +x = right, +y = anterior"), "RAS");
+  EXPECT_EQ(axes("-x = left, -y = posterior, +z = superior"), "RAS");
+  EXPECT_EQ(axes("+x = anterior, +y = superior, +z = patient right (OpenSim ground axes)"), "ASR");
+  for (const char* bad :
+       {"", "as scanned", "x = left, y = posterior, z = superior", "+x = left, +y = posterior",
+        "+x = left, +x = posterior, +z = superior", "+x = left; +y = posterior; +z = superior",
+        "+x = left, +y = posterior, +z = superior, +x = right", "+x = left, +y = up, +z = superior"})
+    EXPECT_NE(test::thrown<std::runtime_error>([&] { axes(bad); }).find("joint.json: axis code"),
+              std::string::npos)
+        << bad;
 }
 
 TEST(RequestOptions, AreThoseOfTheRequest) {

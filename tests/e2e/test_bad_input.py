@@ -132,6 +132,18 @@ class BadInput(GeneratedPair):
             ("--config", '{"sid": "left"}', "sid: is no key; did you mean side?"),
             ("--config", '{"side": "up"}', "side: there is no 'up'; there are left, right"),
             ("--config", '{"landmarks": []}', "landmarks: are one file; name it"),
+            ("--config", '{"cartilage": 3}', "cartilage: is no key; did you mean cartilage_mm?"),
+            ("--config", '{"center_of_rotation": [0, 0, 0]}', "center_of_rotation: is no key; did you mean center_of_rotation_mm?"),
+            ("--config", '{"centre_mm": [0, 0, 0]}', "centre_mm: is no key; did you mean centre?"),
+            ("--config", '{"overlap_mm": 1}', "overlap_mm: is no key; it is an option of the command line"),
+            ("--config", '{"keep": "largest"}', "keep: is no key; it is an option of the command line"),
+            ("--config", '{"ignore_rest_contact": true}', "ignore_rest_contact: is no key; it is an option of the command line"),
+            ("--config", '{"unit": "m"}', 'unit: is "m"; give all lengths in mm'),
+            ("--config", '{"units": "cm"}', 'units: is "cm"; give all lengths in mm'),
+            ("--config", '{"colour": "red"}',
+             "colour: is no key; there are center_of_rotation_mm, centre, side, axes, radius_mm, cartilage_mm, landmarks, ball_part, socket_part"),
+            ("--config", '{"axes": "LPS (ITK)"}', "axis code 'LPS (ITK)' does not have three letters; name where +x, +y and +z point with one letter each of "
+             "R/L, A/P and S/I, as RAS or LPS"),
             ("--landmarks", "label,x,y,z\n", "the landmark asis_right is missing; mark it"),
             ("--cartilage", "x,y,z,thickness_mm\n", "holds no point; give a CSV with the header x,y,z,thickness_mm and four numbers a line, in mm"),
         ]:

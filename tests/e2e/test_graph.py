@@ -23,9 +23,15 @@ CENTRE = {"center_of_rotation_mm": [0, 0, 0]}
 # Folders of real joints: files, and what subject.json says.
 FOLDERS = {
     "by_plain_names": (["ball.ply", "socket.ply"], None),
-    "first_names_first": (["humeral_head.ply", "femoral_head.ply", "acetabulum.ply", "glenoid_facing.ply"], None),
+    "facing_first": (["femoral_head.ply", "acetabulum.ply", "acetabulum_facing.ply"], None),
+    "two_balls": (["humeral_head.ply", "femoral_head.ply", "acetabulum.ply"], None),
+    "two_sockets": (["ball.ply", "acetabulum.ply", "glenoid_facing.ply"], None),
+    "two_files": (["ball.ply", "socket.ply", "socket.stl"], None),
     "described": (["ball.ply", "socket.ply"], {**CENTRE, "side": "left", "axes": "+x = patient left, +y = posterior, +z = superior"}),
-    "no_side": (["ball.ply", "socket.ply"], {**CENTRE, "side": None, "axes": "as scanned"}),
+    "no_side": (["ball.ply", "socket.ply"], {**CENTRE, "side": None}),
+    "by_code": (["ball.ply", "socket.ply"], {**CENTRE, "axes": "LPS"}),
+    "by_sign": (["ball.ply", "socket.ply"], {**CENTRE, "axes": "+z = superior, -y=posterior , -x = left (RAS)"}),
+    "no_axes": (["ball.ply", "socket.ply"], {**CENTRE, "axes": "as scanned"}),
     "wrong_side": (["ball.ply", "socket.ply"], {**CENTRE, "side": "both"}),
     "no_socket": (["ball.ply"], None),
     "upper_case": (["ball.PLY", "socket.PLY"], None),
@@ -109,11 +115,12 @@ class Joints(unittest.TestCase):
         words = [os.environ["IMPINGE"], "touch", "--joints", self.folder / "bones", "--out", self.folder / "out", "--json"]
         told = [one["joint"] for one in json.loads(subprocess.run(words, check=True, capture_output=True).stdout)["documents"]]
         found = graph.find_joints(self.folder / "bones")
-        self.assertEqual([joint.name for joint in found], ["by_plain_names", "described", "first_names_first", "no_side"])
+        self.assertEqual([joint.name for joint in found], ["by_code", "by_plain_names", "by_sign", "described", "facing_first", "no_side"])
         self.assertEqual([[str(joint.ball), str(joint.socket)] for joint in found], [[one[mesh]["mesh"] for mesh in ("ball", "socket")] for one in told])
-        self.assertEqual(found[1].options, ["--side", "left", "--axes", "LPS"])
-        self.assertEqual((told[1]["side"], told[1]["axes"]), ("left", "LPS"))
-        self.assertEqual([joint.options for joint in found if joint.name != "described"], [[]] * 3)
+        self.assertEqual([joint.options for joint in found],
+                         [["--axes", "LPS"], [], ["--axes", "RAS"], ["--side", "left", "--axes", "LPS"], [], []])
+        self.assertEqual([(one["side"], one["axes"]) for one in told],
+                         [(None, "LPS"), (None, "RAS"), (None, "RAS"), ("left", "LPS"), (None, "RAS"), (None, "RAS")])
 
     def test_refused(self):
         """A folder without a joint, and a joint whose name cannot be a file's here: one line, exit code 2."""

@@ -262,6 +262,76 @@ class Tables(unittest.TestCase):
             self.assertEqual(done.stderr.count("\n"), 1)
             self.assertFalse((self.root / "refused").exists())
 
+    def hips(self, name, **described):
+        """A folder of the left hip, once for each description; None has no subject.json."""
+        folder = self.root / name
+        for joint, said in described.items():
+            (folder / joint).mkdir(parents=True)
+            for mesh in ("ball.ply", "socket.ply"):
+                (folder / joint / mesh).write_bytes((self.bones / "b_left" / mesh).read_bytes())
+            if said is not None:
+                (folder / joint / "subject.json").write_text(json.dumps({"side": "left", "center_of_rotation_mm": [0, 0, 0], **said}))
+        return folder
+
+    def documents(self, *words):
+        """Of the joints of a folder, by name, and what was said besides."""
+        done = run(IMPINGE, *words, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return {Path(one["joint"]["ball"]["mesh"]).parent.name: one for one in json.loads(done.stdout)["documents"]}, done.stderr
+
+    def test_all_keys_of_a_description_count(self):
+        """As the options of the same names do, of their joint alone; an option of the command counts before them."""
+        said = {"landmarks": "marks.csv", "socket_part": ["spur.obj"], "ball_part": "knob.obj", "cartilage_mm": 1.5}
+        folder = self.hips("keys", all=said, none={})
+        marks = {"asis_left": (-30, 50, 80), "asis_right": (210, 50, 80), "pubic_tubercle_left": (65, 60, -10), "pubic_tubercle_right": (115, 60, -10),
+                 "epicondyle_medial": (45, -25, -400), "epicondyle_lateral": (-40, -45, -400)}
+        (folder / "all/marks.csv").write_text("label,x,y,z\n" + "".join(f"{label},{x},{y},{z}\n" for label, (x, y, z) in marks.items()))
+        for name, y in (("spur", 60), ("knob", -60)):
+            (folder / f"all/{name}.obj").write_text(f"v 0 {y} 0\nv 9 {y} 0\nv 0 {y + 9} 0\nv 0 {y} 9\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+        found, _ = self.documents("limits", "--joints", folder, "--motions", "flexion", "--out", self.root / "keys_out")
+        ball, socket = (folder / "all" / mesh for mesh in ("ball.ply", "socket.ply"))
+        options = ("--side", "left", "--centre", "0,0,0", "--motions", "flexion", "--json")
+        alone = json.loads(run(IMPINGE, "limits", ball, socket, *options).stdout)
+        more = ("--landmarks", folder / "all/marks.csv", "--socket-part", folder / "all/spur.obj", "--ball-part", folder / "all/knob.obj", "--cartilage", 1.5)
+        asked = json.loads(run(IMPINGE, "limits", ball, socket, *options, *more).stdout)
+        for key in ("joint", "request", "answer"):
+            self.assertEqual(found["all"][key], asked[key])
+        self.assertEqual((found["none"]["request"], found["none"]["answer"]), (alone["request"], alone["answer"]))
+        self.assertNotEqual(asked["answer"], alone["answer"])
+        found, _ = self.documents("limits", "--joints", folder, "--motions", "flexion", "--cartilage", "0.5", "--out", self.root / "keys_out")
+        self.assertEqual([one["request"]["cartilage_mm"] for one in found.values()], [0.5, 0.5])
+
+    def test_the_cartilage_of_a_scan_is_that_of_its_joint(self):
+        folder = self.root / "scans"
+        for name, space in (("first", 6), ("second", 3)):
+            self.assertEqual(run(IMPINGE, "hip", "normal", "--set", f"joint_space={space}", "--faces", 600, "--out", folder / name).returncode, 0)
+        found, _ = self.documents("limits", "--joints", folder, "--cartilage", "scan", "--motions", "flexion", "--out", self.root / "scans_out")
+        self.assertEqual([line for one in found.values() for line in one["joint"]["warnings"] if "cartilage" in line], [])
+        first, second = (one["request"]["cartilage_mm"] for one in found.values())
+        self.assertTrue(2 < second < 4 < first, (first, second))
+
+    def test_answers_are_no_joints(self):
+        """Neither written among the joints nor, where one lies there, read as one."""
+        folder = self.hips("posed", hip={})
+        for mesh in ("ball.ply", "socket.ply"):
+            (folder / "hip" / mesh).rename(folder / "hip" / {"ball.ply": "femoral_head.ply", "socket.ply": "acetabulum.ply"}[mesh])
+        (self.root / "link").symlink_to(folder)
+        for out in (folder, folder / "out", folder / "hip", self.root / "link/out"):
+            done = run(IMPINGE, "gaps", "--joints", folder, "--pose", "flexion=60", "--precision", "5", "--out", out)
+            self.assertEqual((done.returncode, done.stderr), (1, f"impinge: error: {out}: lies in the folder of the joints, as if its meshes were joints; "
+                                                                 "choose another folder with --out\n"))
+        self.assertEqual([path.name for path in folder.iterdir()], ["hip"])
+        meshes = (folder / "hip/femoral_head.ply", folder / "hip/acetabulum.ply")
+        for out in ("hip", "pose60"):
+            done = run(IMPINGE, "gaps", *meshes, "--pose", "flexion=60", "--precision", "5", "--out", folder / out)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            found = run(IMPINGE, "touch", "--joints", folder, "--out", self.root / "posed_out")
+            self.assertIn({"hip": f"{folder}/hip: has both ball.ply and femoral_head.ply; leave the one that is meant\n",
+                           "pose60": f"{folder}/pose60/ball.ply: is of the answer in summary.json, and may be moved; "
+                                     "give the mesh that was asked about\n"}[out], found.stderr)
+            for mesh in ("ball.ply", "socket.ply") if out == "hip" else ():
+                (folder / out / mesh).unlink()
+
     @unittest.skipUnless(os.environ.get("IMPINGE_BONES"), "no real joints")
     def test_real_joints_have_measures_that_agree_or_are_refused(self):
         """The whole pelvis and what was cut out of it have one socket."""
