@@ -5,6 +5,7 @@
 
 #include "hip/sphere_fit.hpp"
 #include "joint/joint_folder.hpp"
+#include "mesh/declared_axes.hpp"
 #include "mesh/io.hpp"
 
 namespace impinge::lab {
@@ -33,7 +34,7 @@ std::vector<RealJoint> read_real_joints(const std::filesystem::path& folder, Pro
                       at.centre.has_value(),
                       at.radius,
                       at.side,
-                      at.axes.value_or("RAS")});
+                      agreed_axes_of({at.ball, at.socket}, at.axes, "\"axes\"").code});
   }
   return joints;
 }

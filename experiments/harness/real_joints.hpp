@@ -21,11 +21,12 @@ struct RealJoint {
   bool described = false;        // does the description give the centre?
   std::optional<double> radius;  // of the head, from the description, mm
   std::optional<Side> side;      // from the description
-  std::string axes = "RAS";      // where +x, +y and +z of the meshes point (hip/anatomy.hpp)
+  std::string axes = "RAS";      // where +x, +y and +z of the meshes point, as agreed_axes_of() finds it
 };
 
-// The joints of a folder, in the order of their names. Leaves out folders without a mesh, and says so in
-// `progress`. Throws std::runtime_error for a file that cannot be used, or if no joint is left.
+// The joints of a folder, in the order of their names, without what lies beside them. Leaves out folders
+// without a mesh, and says so in `progress`. Throws std::runtime_error for a file that cannot be used, or if
+// no joint is left.
 std::vector<RealJoint> read_real_joints(const std::filesystem::path& folder, Progress& progress);
 
 // Both meshes in the joint frame (x right, y anterior, z superior) about the centre.

@@ -163,7 +163,10 @@ Session load_joint(const JointOptions& options, const ScanContactOptions& told) 
   input.socket = read_bone(options.socket, options.socket_parts, options.keep_largest, said);
   input.centre = options.centre;
   input.side = options.side;
-  input.axes = agreed_axes(options.ball, options.socket, options.axes, "--axes").code;
+  std::vector<fs::path> meshes{options.ball, options.socket};
+  for (const auto* parts : {&options.ball_parts, &options.socket_parts})
+    meshes.insert(meshes.end(), parts->begin(), parts->end());
+  input.axes = agreed_axes_of(meshes, options.axes, "--axes").code;
   input.wording.meshes = "BALL and SOCKET";
   const auto made = [&](double overlap_mm) {
     input.overlap_mm = overlap_mm;

@@ -44,10 +44,12 @@ std::optional<std::string> declared_axes(const fs::path& file) {
   return mesh_format(file) == MeshFormat::vtp ? axes_of_vtp(file) : declared_axes(file, head_of(file));
 }
 
-AxesChoice agreed_axes(const fs::path& ball, const fs::path& socket, const std::optional<std::string>& given,
-                       const std::string& option) {
-  const SaidAxes of_ball{ball, declared_axes(ball)};  // first, so that it is the first to be refused
-  return agreed_axes(of_ball, {socket, declared_axes(socket)}, given, option);
+AxesChoice agreed_axes_of(const std::vector<fs::path>& files, const std::optional<std::string>& given,
+                          const std::string& option) {
+  std::vector<SaidAxes> said;
+  said.reserve(files.size());
+  for (const fs::path& file : files) said.push_back({file, declared_axes(file)});
+  return agreed_axes(said, given, option);
 }
 
 }  // namespace impinge

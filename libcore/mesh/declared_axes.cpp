@@ -60,23 +60,25 @@ std::optional<std::string> declared_axes(const std::filesystem::path& name, std:
   return found;
 }
 
-AxesChoice agreed_axes(const SaidAxes& ball, const SaidAxes& socket, const std::optional<std::string>& given,
+AxesChoice agreed_axes(const std::vector<SaidAxes>& files, const std::optional<std::string>& given,
                        const std::string& option) {
-  if (ball.code && socket.code && ball.code != socket.code)
-    throw FileError(socket.file,
-                    "its header says SPACE=" + *socket.code + ", and that of the ball SPACE=" + *ball.code,
-                    "export both in one frame");
-  if (given) {
-    for (const SaidAxes& said : {ball, socket}) {
-      if (said.code && *said.code != *given)
-        throw FileError(said.file,
-                        "its header says SPACE=" + *said.code + ", and " + option + " says " + *given,
-                        "leave " + option + " out, or correct the header");
-    }
-    return {*given, "given"};
+  const SaidAxes* first = nullptr;
+  for (const SaidAxes& said : files) {
+    if (!said.code) continue;
+    if (first == nullptr) first = &said;
+    if (said.code != first->code)
+      throw FileError(said.file,
+                      "its header says SPACE=" + *said.code + ", and that of " +
+                          (first == files.data() ? "the ball" : first->file.filename().string()) +
+                          " SPACE=" + *first->code,
+                      "export both in one frame");
   }
-  if (ball.code || socket.code) return {ball.code ? *ball.code : *socket.code, "header"};
-  return {};
+  if (given && first != nullptr && *first->code != *given)
+    throw FileError(first->file,
+                    "its header says SPACE=" + *first->code + ", and " + option + " says " + *given,
+                    "leave " + option + " out, or correct the header");
+  if (given) return {*given, "given"};
+  return first == nullptr ? AxesChoice() : AxesChoice{*first->code, "header"};
 }
 
 }  // namespace impinge

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace impinge {
 
@@ -33,11 +34,13 @@ struct SaidAxes {
   std::optional<std::string> code;  // std::nullopt if its header does not say
 };
 
-/// The axes of two files in one frame: `given`, else what a header says, else RAS. Throws FileError if the
-/// headers contradict each other or `given`; `option` is the name of the option that gives it.
-AxesChoice agreed_axes(const SaidAxes& ball, const SaidAxes& socket, const std::optional<std::string>& given,
+/// The axes of files in one frame, the ball's first: `given`, else what a header says, else RAS. Throws
+/// FileError if the headers contradict each other or `given`; `option` is the name of the option that gives
+/// it.
+AxesChoice agreed_axes(const std::vector<SaidAxes>& files, const std::optional<std::string>& given,
                        const std::string& option);
-AxesChoice agreed_axes(const std::filesystem::path& ball, const std::filesystem::path& socket,
-                       const std::optional<std::string>& given, const std::string& option);
+/// The same of what the headers of files say.
+AxesChoice agreed_axes_of(const std::vector<std::filesystem::path>& files,
+                          const std::optional<std::string>& given, const std::string& option);
 
 }  // namespace impinge

@@ -187,15 +187,21 @@ std::vector<std::pair<std::string, GivenMesh>> parts_of(const char* keyword, con
 }
 
 NamedMesh bone_of(const std::string& name, const GivenMesh& main, const char* keyword,
-                  const py::object& beside, const std::string& keep, std::vector<std::string>& said) {
+                  const py::object& beside, const std::string& keep, std::vector<std::string>& said,
+                  std::vector<File>& files) {
   const auto called = [](const std::string& key, const GivenMesh& given) {
     const auto* const file = std::get_if<File>(&given);
     return file != nullptr ? file->string() : key;
   };
+  const auto add_file = [&files](const GivenMesh& given) {
+    if (const auto* const file = std::get_if<File>(&given)) files.push_back(*file);
+  };
   NamedMesh bone{called(name, main), mesh_of_given(name, main, keep, said)};
+  add_file(main);
   for (const auto& [key, given] : parts_of(keyword, beside)) {
     append_part(bone.mesh, bone.parts, key, mesh_of_given(key, given, keep, said));
     bone.part_names.push_back(called(key, given));
+    add_file(given);
   }
   return bone;
 }
@@ -240,9 +246,10 @@ SharedJoint joint_of_given(const Given& ball, const Given& socket, const std::op
     throw std::invalid_argument("overlap_mm: ignore_rest_contact finds it; give one of them");
   JointInput input;
   Placed placed{side, axes.value_or("RAS"), centre, landmarks};
-  input.ball = bone_of("ball", ball, "ball_part", ball_part, keep, placed.said);
-  input.socket = bone_of("socket", socket, "socket_part", socket_part, keep, placed.said);
-  if constexpr (std::same_as<Given, File>) placed.axes = agreed_axes(ball, socket, axes, "axes=").code;
+  std::vector<File> files;
+  input.ball = bone_of("ball", ball, "ball_part", ball_part, keep, placed.said, files);
+  input.socket = bone_of("socket", socket, "socket_part", socket_part, keep, placed.said, files);
+  placed.axes = agreed_axes_of(files, axes, "axes=").code;
   placed.cartilage = cartilage_of(cartilage_map);
   placed.overlap_mm = ignore_rest_contact ? std::nullopt : std::optional(overlap_mm);
   SharedJoint joint = joint_of_meshes(input, placed);

@@ -203,6 +203,7 @@ class Frames(unittest.TestCase):
     def test_contradictions_are_refused(self):
         lps = self.write("lps", lambda v, f: ply_text(v, f, "comment SPACE=LPS\n"))
         ras = self.write("ras", lambda v, f: ply_text(v, f, "comment SPACE=RAS\n"))
+        bare = self.write("bare", lambda v, f: ply_text(v, f))
         both = self.write("both", lambda v, f: ply_text(v, f, "comment SPACE=RAS\nobj_info SPACE=LPS\n"))
         for files, more, said in (
             (lps, ("--axes", "RAS"), f"{lps[0]}: its header says SPACE=LPS, and --axes says RAS; leave --axes out, or correct "
@@ -210,6 +211,11 @@ class Frames(unittest.TestCase):
             ((lps[0], ras[1]), (), f"{ras[1]}: its header says SPACE=RAS, and that of the ball SPACE=LPS; export both in one "
                                    "frame"),
             (both, (), f"{both[0]}: its header says both SPACE=RAS and SPACE=LPS; leave the one that is true"),
+            (ras, ("--socket-part", lps[0]), f"{lps[0]}: its header says SPACE=LPS, and that of the ball SPACE=RAS; export both in one frame"),
+            (bare, ("--ball-part", ras[0], "--ball-part", lps[1]),
+             f"{lps[1]}: its header says SPACE=LPS, and that of {ras[0].name} SPACE=RAS; export both in one frame"),
+            (bare, ("--ball-part", lps[0], "--axes", "RAS"), f"{lps[0]}: its header says SPACE=LPS, and --axes says RAS; leave --axes out, or correct "
+                                                             "the header"),
         ):
             done = self.asked("touch", "refused", *files, *more)
             self.assertEqual((done.returncode, done.stderr), (1, f"impinge: error: {said}\n"))

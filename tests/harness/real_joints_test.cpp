@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "files/file_bytes.hpp"
 #include "harness/contact_poses.hpp"
 #include "harness/ply_series.hpp"
 #include "mesh/bodies.hpp"
@@ -90,13 +91,27 @@ TEST(RealJoints, AFolderThatLacksAMeshIsLeftOutAndNamed) {
   EXPECT_NE(out.str().find("no_socket has no socket mesh"), std::string::npos) << out.str();
 }
 
-// Any format, the first name of the list that is there, and without a description the centre of the fitted
-// ball.
-TEST(RealJoints, NamesAreTriedInOrderAndACentreIsFitted) {
+// The axes that a header says, unless the description does; both must agree.
+TEST(RealJoints, HeadersSayTheAxes) {
+  const TemporaryFolder folder;
+  bring(folder.path() / "a", "ball.obj", "socket.ply", kSubject);
+  const fs::path ball = folder.path() / "a/ball.obj";
+  write_bytes(ball, "# SPACE=LPS\n" + read_bytes(ball));
+  Progress progress("test", nullptr);
+  EXPECT_EQ(read_real_joints(folder.path(), progress)[0].axes, "LPS");
+  std::ofstream(folder.path() / "a/subject.json")
+      << R"({"center_of_rotation_mm": [100, -50.0, 25], "axes": "RAS"})";
+  const auto said = test::thrown<std::runtime_error>([&] { read_real_joints(folder.path(), progress); });
+  EXPECT_NE(said.find("its header says SPACE=LPS, and \"axes\" says RAS"), said.npos) << said;
+}
+
+// Any format, what faces the other bone before the whole of it, and without a description the centre of the
+// fitted ball.
+TEST(RealJoints, WhatFacesCountsAndACentreIsFitted) {
   const TemporaryFolder folder;
   const fs::path joint = folder.path() / "mine";
   bring(joint, "ball.stl", "glenoid.off", kSubject);
-  write_mesh(joint / "socket.obj", relative_to(make_ball_socket_pair(60).socket, -kCentre));
+  write_mesh(joint / "glenoid_facing.obj", relative_to(make_ball_socket_pair(60).socket, -kCentre));
   fs::remove(joint / "subject.json");
   Progress progress("test", nullptr);
   const auto joints = read_real_joints(folder.path(), progress);

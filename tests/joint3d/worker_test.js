@@ -197,6 +197,9 @@ test('headers of Slicer say the axes', async () => {
   assert.deepEqual(await said('nothing', 'nothing', 'LPS'), ['LPS', 'given', 0]);
   assert.deepEqual((await said('nothing', 'nothing', null)).slice(0, 2), ['RAS', 'assumed']);
   assert.match(await said('SPACE=LPS', 'SPACE=RAS', null), /^pelvis.ply: its header says SPACE=RAS, and that of the ball SPACE=LPS; export both/);
+  const beside = files('SPACE=LPS', 'nothing', null);
+  beside.socket.parts = [{ name: 'spur.ply', ...turned(socket), head: head('SPACE=RAS') }];
+  assert.match((await one('joint', beside)).error, /^spur.ply: its header says SPACE=RAS, and that of the ball SPACE=LPS/);
   assert.match(await said('SPACE=LPS', 'SPACE=LPS', 'RAS'), /^femur.ply: its header says SPACE=LPS, and the field Axes says RAS; leave/);
 });
 

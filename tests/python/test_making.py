@@ -60,6 +60,11 @@ def test_headers_of_slicer_say_the_axes(files, tmp_path):
     assert np.array_equal(joint.ball.vertices, truth.ball.vertices)  # as they lie in the file
     with pytest.raises(impinge.FileError, match="LPS.*axes="):
         impinge.Joint.read(*heads, side="right", axes="RAS")
+    with pytest.raises(impinge.FileError, match="SPACE=RAS.*SPACE=LPS"):
+        impinge.Joint.read(*heads, side="right", socket_part=files[0])
+    for axes, part in (("LPS", files[0]), ("RAS", heads[0])):
+        with pytest.raises(impinge.FileError, match="leave axes= out"):
+            impinge.Joint.from_arrays(*((mesh.vertices, mesh.faces) for mesh in (truth.ball, truth.socket)), axes=axes, ball_part=part)
 
 
 def test_parameters_make_the_hip_that_they_say():

@@ -77,8 +77,13 @@ std::optional<LandmarkBytes> landmarks_request(const val& request) {
 AxesChoice axes_request(const val& request) {
   std::optional<std::string> given;
   if (is_given(request["axes"])) given = text_in(request, "axes");
-  const SaidAxes ball = said_axes(request["ball"]);  // the first to be refused
-  return agreed_axes(ball, said_axes(request["socket"]), given, "the field Axes");
+  std::vector<SaidAxes> said{said_axes(request["ball"]), said_axes(request["socket"])};
+  for (const char* bone : {"ball", "socket"}) {
+    if (!is_given(request[bone]["parts"])) continue;
+    for (const val& part : emscripten::vecFromJSArray<val>(request[bone]["parts"]))
+      said.push_back(said_axes(part));
+  }
+  return agreed_axes(said, given, "the field Axes");
 }
 
 }  // namespace impinge
