@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "hip/anatomy.hpp"
 #include "hip/motion.hpp"
@@ -21,6 +22,7 @@ struct Landmarks {
   std::optional<Vec3> pubic_tubercle_left;
   std::optional<Vec3> epicondyle_medial;  // of the femur
   std::optional<Vec3> epicondyle_lateral;
+  std::string others{};  // labels beside them that name no landmark, for messages
 };
 
 /// Rotations from the frame of the meshes to anatomical frames: rows are right, anterior and superior.

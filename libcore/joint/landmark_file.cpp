@@ -20,6 +20,7 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t kMostOthers = 200;  // characters of labels in one message
 constexpr const char* kAdvice =
     "give markups of 3D Slicer (.mrk.json, .fcsv, or its table label,r,a,s or label,l,p,s) or a CSV "
     "label,x,y,z in mm";
@@ -47,46 +48,37 @@ std::optional<Vec3> Landmarks::*member(const std::string& label) {
   return nullptr;
 }
 
-// The points that a file has marked.
-struct Marked {
-  Landmarks found;
-  std::string others;  // labels that name no landmark
-};
-
-void add(const std::filesystem::path& file, std::string_view label, const Vec3& place, Marked& marked) {
-  if (member(lower(label)) == nullptr) {
-    if (marked.others.size() < 200) marked.others += (marked.others.empty() ? "" : ", ") + std::string(label);
-    return;
-  }
+void add(const std::filesystem::path& file, std::string_view label, const Vec3& place, Landmarks& found) {
   try {
-    add_landmark(label, place, marked.found);
+    add_landmark(label, place, found);
   } catch (const std::invalid_argument& error) {
     refuse(file, error.what());
   }
 }
 
 void add_point(const std::filesystem::path& file, const json& point, const Eigen::Matrix3d& turn,
-               Marked& marked) {
+               Landmarks& found) {
   const json place = point.is_object() ? point.value("position", json()) : json();
   const bool numbers = place.is_array() && place.size() == 3 && place[0].is_number() &&
                        place[1].is_number() && place[2].is_number();
   if (!point.is_object() || !point.contains("label") || !point["label"].is_string()) return;
   if (!numbers) return;  // Slicer keeps points that are not placed yet
-  add(file, point["label"].get<std::string>(), turn * Vec3(place[0], place[1], place[2]), marked);
+  add(file, point["label"].get<std::string>(), turn * Vec3(place[0], place[1], place[2]), found);
 }
 
-Marked of_markups(const std::filesystem::path& file, const std::string& bytes, const Eigen::Matrix3d& axes) {
+Landmarks of_markups(const std::filesystem::path& file, const std::string& bytes,
+                     const Eigen::Matrix3d& axes) {
   const json text = json::parse(bytes, nullptr, /*allow_exceptions=*/false);
   if (!text.is_object() || !text.value("markups", json()).is_array()) refuse(file, "has no markups");
-  Marked marked;
+  Landmarks found;
   for (const json& markup : text["markups"]) {
     if (!markup.is_object() || !markup.value("controlPoints", json()).is_array()) continue;
     const json space = markup.value("coordinateSystem", json("LPS"));  // Slicer's default
     if (space != "LPS" && space != "RAS") refuse(file, "its coordinateSystem is neither LPS nor RAS");
     const Eigen::Matrix3d turn = axes.transpose() * input_to_joint(space.get<std::string>());
-    for (const json& point : markup["controlPoints"]) add_point(file, point, turn, marked);
+    for (const json& point : markup["controlPoints"]) add_point(file, point, turn, found);
   }
-  return marked;
+  return found;
 }
 
 // Where the columns of a table are.
@@ -132,7 +124,7 @@ class LandmarkTable {
     if (fiducials_) columns_ = landmark_columns("label,x,y,z,sel,vis", separator_);
   }
 
-  Marked read() {
+  Landmarks read() {
     while (lines_.next()) {
       const std::string_view line = lines_.line();
       if (fiducials_ && line.starts_with('#')) {
@@ -145,7 +137,7 @@ class LandmarkTable {
         read_row(delimited_words(line, separator_));
       }
     }
-    return marked_;
+    return found_;
   }
 
  private:
@@ -182,7 +174,7 @@ class LandmarkTable {
     }
     const std::string_view axes = fiducials_ ? fiducial_axes_ : at.axes;
     if (!axes.empty()) place = (axes_.transpose() * input_to_joint(std::string(axes)) * place).eval();
-    add(file_, words[at.label], place, marked_);
+    add(file_, words[at.label], place, found_);
   }
 
   const std::filesystem::path& file_;
@@ -192,14 +184,18 @@ class LandmarkTable {
   std::string_view fiducial_axes_ = "RAS";  // Slicer's frame before its files named one
   char separator_ = ',';
   std::optional<LandmarkColumns> columns_;
-  Marked marked_;
+  Landmarks found_;
 };
 
 }  // namespace
 
 void add_landmark(std::string_view label, const Vec3& place, Landmarks& found) {
   const auto at = member(lower(label));
-  if (at == nullptr) return;
+  if (at == nullptr) {
+    if (found.others.size() < kMostOthers)
+      found.others += (found.others.empty() ? "" : ", ") + std::string(label);
+    return;
+  }
   if (!place.allFinite()) throw std::invalid_argument("the landmark " + std::string(label) + " has no place");
   if (found.*at) throw std::invalid_argument("the landmark " + std::string(label) + " is there twice");
   found.*at = place;
@@ -211,12 +207,11 @@ Landmarks read_landmarks(const std::filesystem::path& file, const Eigen::Matrix3
 
 Landmarks read_landmarks(const std::filesystem::path& file, const std::string& bytes,
                          const Eigen::Matrix3d& axes) {
-  const Marked marked = lower(file.extension().string()) == ".json" ? of_markups(file, bytes, axes)
-                                                                    : LandmarkTable(file, bytes, axes).read();
-  const Landmarks& found = marked.found;
+  Landmarks found = lower(file.extension().string()) == ".json" ? of_markups(file, bytes, axes)
+                                                                : LandmarkTable(file, bytes, axes).read();
   if (!found.asis_right && !found.asis_left && !found.pubic_tubercle_right && !found.pubic_tubercle_left &&
-      !found.epicondyle_medial && !found.epicondyle_lateral && !marked.others.empty())
-    throw FileError(file, "its labels are of no landmark: " + marked.others,
+      !found.epicondyle_medial && !found.epicondyle_lateral && !found.others.empty())
+    throw FileError(file, "its labels are of no landmark: " + found.others,
                     "call them asis_right, asis_left, pubic_tubercle_right, pubic_tubercle_left, "
                     "epicondyle_medial, epicondyle_lateral");
   return found;
@@ -226,6 +221,11 @@ void use_landmarks(const Landmarks& landmarks, const std::string& from, std::opt
                    Joint& joint) {
   try {
     use_frames(joint, anatomical_frames(landmarks, joint.centre, side, input_to_joint(joint.axes)));
+    if (!joint.frames->femur && !landmarks.others.empty())
+      joint.warnings.push_back(
+          from + ": has no epicondyles, so angles are counted from the scan; its labels " + landmarks.others +
+          " are of no landmark: if two of them are meant, call them epicondyle_medial and "
+          "epicondyle_lateral");
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(from + ": " + error.what());
   }

@@ -26,12 +26,14 @@ Landmarks read_landmarks(const std::filesystem::path& file, const Eigen::Matrix3
 Landmarks read_landmarks(const std::filesystem::path& file, const std::string& bytes,
                          const Eigen::Matrix3d& axes);
 
-/// Adds a point in the frame of the meshes, mm, if its label is a landmark's. Throws std::invalid_argument,
+/// Adds a point in the frame of the meshes, mm, if its label is a landmark's, else its label to the others.
+/// Throws std::invalid_argument,
 /// one line, for a place that is not finite and for a label that is there already.
 void add_landmark(std::string_view label, const Vec3& place, Landmarks& found);
 
-/// Sets the joint's frames from landmarks (use_frames()). Throws std::runtime_error, one line that begins
-/// with `from`, the file or option with the landmarks, if they give no frame.
+/// Sets the joint's frames from landmarks (use_frames()). It warns if there is no epicondyle but another
+/// label, which may have been meant for one. Throws std::runtime_error, one line that begins with `from`, the
+/// file or option with the landmarks, if they give no frame.
 void use_landmarks(const Landmarks& landmarks, const std::string& from, std::optional<Side> side,
                    Joint& joint);
 /// Sets the joint's frames from the landmarks of a file.

@@ -210,12 +210,12 @@ class Frames(unittest.TestCase):
                                      "the header"),
             ((lps[0], ras[1]), (), f"{ras[1]}: its header says SPACE=RAS, and that of the ball SPACE=LPS; export both in one "
                                    "frame"),
-            (both, (), f"{both[0]}: its header says both SPACE=RAS and SPACE=LPS; leave the one that is true"),
             (ras, ("--socket-part", lps[0]), f"{lps[0]}: its header says SPACE=LPS, and that of the ball SPACE=RAS; export both in one frame"),
             (bare, ("--ball-part", ras[0], "--ball-part", lps[1]),
              f"{lps[1]}: its header says SPACE=LPS, and that of {ras[0].name} SPACE=RAS; export both in one frame"),
             (bare, ("--ball-part", lps[0], "--axes", "RAS"), f"{lps[0]}: its header says SPACE=LPS, and --axes says RAS; leave --axes out, or correct "
                                                              "the header"),
+            (both, (), f"{both[0]}: its header says both SPACE=RAS and SPACE=LPS; leave the one that is true"),
         ):
             done = self.asked("touch", "refused", *files, *more)
             self.assertEqual((done.returncode, done.stderr), (1, f"impinge: error: {said}\n"))
@@ -258,6 +258,9 @@ class Frames(unittest.TestCase):
         ball, socket, points = self.posed("pelvis", pelvis, turn(0, -20), np.eye(3))
         found, said = self.same_limit("pelvis", (ball, socket), "--landmarks", points)
         self.assertIsNone(found["landmarks"]["scanned_flexion_deg"])
+        warning = (f"{points}: has no epicondyles, so angles are counted from the scan; its labels sacrum are of no landmark: "
+                   "if two of them are meant, call them epicondyle_medial and epicondyle_lateral")
+        self.assertIn(warning, found["warnings"])
         self.assertIn("landmarks           pelvic tilt 20.0 degrees in the scan: angles are counted from the pose of the scan",
                       said)
         self.assertEqual(self.asked("report", "pelvis", ball, socket, "--landmarks", points, "--width", 1).returncode, 0)
