@@ -54,19 +54,20 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--merge", options.merge, "folder of finished shards")->excludes(study)->excludes(out);
 }
 
-void run(const Options& options, const ShardName& shard, std::ostream& out) {
+void run(const Options& options, const ShardName& shard, const Screen& screen) {
   if (!options.merge.empty()) {
     const Merged merged = merge(options.merge);
-    out << "wrote " << options.merge << "/{cohort.csv,cohort.json,shards.json}: " << merged.hips
-        << " hips in " << merged.shards << (merged.shards == 1 ? " shard" : " shards") << std::endl;
+    screen.out << "wrote " << options.merge << "/{cohort.csv,cohort.json,shards.json}: " << merged.hips
+               << " hips in " << merged.shards << (merged.shards == 1 ? " shard" : " shards") << std::endl;
     return;
   }
   const Study study = read_study(options.study, options.hips);
   require_writable_folder(options.out);
   const ShardRun done = run_shard(study, shard, options.out);
-  out << "wrote " << shard_file(options.out, shard).string() << ": hips " << done.hips.first << " to "
-      << done.hips.last << " (exclusive), " << done.kept << " of them kept from an earlier run, "
-      << done.seconds << " s of one core" << std::endl;
+  for (const std::string& line : done.warnings) screen.log << "impinge: warning: " << line << std::endl;
+  screen.out << "wrote " << shard_file(options.out, shard).string() << ": hips " << done.hips.first << " to "
+             << done.hips.last << " (exclusive), " << done.kept << " of them kept from an earlier run, "
+             << done.seconds << " s of one core" << std::endl;
 }
 
 void add_cohort(CLI::App& program, const Screen& screen, std::function<void()>& work) {
@@ -85,7 +86,7 @@ void add_cohort(CLI::App& program, const Screen& screen, std::function<void()>& 
       } catch (const std::invalid_argument& error) {
         throw std::invalid_argument("--shard: " + std::string(error.what()));
       }
-      run(*options, shard, screen.out);
+      run(*options, shard, screen);
     };
   });
 }

@@ -6,10 +6,12 @@
 #include <gsl/gsl_cdf.h>
 
 #include "harness/provenance.hpp"
-#include "harness/real_joints.hpp"
 #include "hip/hip.hpp"
 #include "hip/hip_checks.hpp"
 #include "hip/hip_surface.hpp"
+#include "hip/joint.hpp"
+#include "mesh/declared_axes.hpp"
+#include "mesh/io.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -17,6 +19,12 @@ namespace {
 BallSocketPair meshes_of(const HipParameters& parameters, std::size_t faces) {
   Hip hip = make_hip(parameters, faces);
   return {std::move(hip.ball), std::move(hip.socket)};
+}
+
+std::string files_digest(const JointFolder& at) {
+  const std::filesystem::path said = at.ball.parent_path() / "subject.json";
+  return sha256_of_file(at.ball) + sha256_of_file(at.socket) +
+         (std::filesystem::exists(said) ? sha256_of_file(said) : "");
 }
 
 constexpr std::size_t kAttempts = 100;
@@ -42,14 +50,50 @@ Members::Members(const Study& study) : study_(study) {
   if (study.joints.empty()) return;
   if (!std::filesystem::is_directory(study.joints))
     throw std::runtime_error(study.joints.string() + ": no folder; give that of the joints in the study");
-  Progress silent("cohort", nullptr);
-  for (const RealJoint& joint : read_real_joints(study.joints, silent)) {
-    if (joint.subject.find_first_of(",\"\r\n") != std::string::npos)
+  const JointFolders found = find_joints(study.joints);
+  left_out_ = found.left_out;
+  for (const JointFolder& at : found.joints) {
+    if (at.subject.find_first_of(",\"\r\n") != std::string::npos)
       throw std::runtime_error(study.joints.string() +
                                ": a folder in it has a comma, a quote or a line end in "
                                "its name, which a row cannot hold; rename it");
-    joints_.push_back({joint.subject, in_joint_frame(joint), joint.side});
+    try {
+      joints_.push_back(joint_of(at));
+      digest_ += at.subject + files_digest(at) + "\n";
+    } catch (const std::runtime_error& error) {
+      left_out_.push_back(at.subject + ": " + error.what());
+    }
   }
+  if (joints_.empty())
+    throw std::runtime_error(study.joints.string() + ": none of its joints can be used, the first because " +
+                             left_out_.front());
+  digest_ = sha256_hex(digest_);
+}
+
+// A joint as `impinge limits --joints` takes it.
+Members::Named Members::joint_of(const JointFolder& at) {
+  if (at.landmarks || !at.ball_parts.empty() || !at.socket_parts.empty())
+    throw std::runtime_error(
+        "its subject.json has landmarks or parts, of which a row knows nothing; leave them out");
+  JointInput input{.ball = {at.ball.string(), read_mesh(at.ball)},
+                   .socket = {at.socket.string(), read_mesh(at.socket)},
+                   .centre = at.centre,
+                   .side = at.side,
+                   .axes = agreed_axes_of({at.ball, at.socket}, at.axes, "\"axes\"").code,
+                   .wording = {"in subject.json", "ball and socket", "axes, then side, in subject.json", ""}};
+  const Joint joint = assemble_joint(input);
+  require_mm(joint, input.ball.name);
+  if (joint.has_parts())
+    throw std::runtime_error(
+        "it is of whole bones, and a row is about the surfaces of a joint; cut them "
+        "(experiments/real_joints)");
+  for (const std::string& warning : joint.warnings) warnings_.push_back(at.subject + ": " + warning);
+  const Eigen::Matrix3d axes = input_to_joint(joint.axes);
+  Named named{at.subject, {joint.ball.mesh, joint.socket.mesh}, at.side};
+  for (TriangleMesh* mesh : {&named.meshes.ball, &named.meshes.socket}) {
+    for (Vec3& x : mesh->vertices) x = axes * x;
+  }
+  return named;
 }
 
 std::size_t Members::size() const { return study_.joints.empty() ? study_.hips : joints_.size(); }

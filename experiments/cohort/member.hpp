@@ -9,6 +9,7 @@
 
 #include "cohort/study.hpp"
 #include "files/csv.hpp"
+#include "joint/joint_folder.hpp"
 #include "mesh/ball_socket_pair.hpp"
 
 namespace impinge::lab {
@@ -25,12 +26,18 @@ struct Member {
 // Makes each hip when it is asked for; reads a folder of joints only once.
 class Members {
  public:
-  // Throws std::runtime_error, one line, for a folder without joints.
+  // Throws std::runtime_error, one line, for a folder without joints that can be used.
   explicit Members(const Study& study);
 
   std::size_t size() const;                         // number of hips in the study
   std::vector<Column> description_columns() const;  // the first columns of a row
   Member member(std::size_t j) const;               // hip j, from 0
+
+  // SHA-256 of the files of the joints; empty where hips are drawn.
+  const std::string& digest() const { return digest_; }
+  // What is wrong with joints of the folder, a line each.
+  const std::vector<std::string>& left_out() const { return left_out_; }  // and why
+  const std::vector<std::string>& warnings() const { return warnings_; }  // of those that are in
 
  private:
   struct Named {
@@ -38,11 +45,15 @@ class Members {
     BallSocketPair meshes;
     std::optional<Side> side;
   };
+  Named joint_of(const JointFolder& at);
   Member drawn(std::size_t j) const;
   Member read(std::size_t j) const;
 
   const Study& study_;
   std::vector<Named> joints_;
+  std::string digest_;
+  std::vector<std::string> left_out_;
+  std::vector<std::string> warnings_;
 };
 
 // Hip j depends only on the study and on j: its random numbers are not drawn in sequence but computed from

@@ -15,6 +15,7 @@
 #include "files/file_set.hpp"
 #include "files/stopwatch.hpp"
 #include "harness/provenance.hpp"
+#include "report/answer_document.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -32,8 +33,11 @@ std::string line_of(const std::vector<Cell>& cells) {
   return line + "\n";
 }
 
-void write_shard(const fs::path& file, const Study& study, const ShardHips& hips, const ShardRows& found) {
+void write_shard(const fs::path& file, const Study& study, const Members& members, const ShardHips& hips,
+                 const ShardRows& found) {
   const json head{{"study", study.digest},
+                  {"joints", members.digest()},
+                  {"commit", commit()},
                   {"first", hips.first},
                   {"last", hips.last},
                   {"rows", found.rows},
@@ -120,18 +124,18 @@ struct AllShards {
   json taken = json::array();
 };
 
-AllShards read_all(const fs::path& folder, const Study& study, std::size_t hips, std::size_t count) {
+AllShards read_all(const fs::path& folder, const Study& study, const Members& members, std::size_t count) {
   AllShards all;
   Faults faults;
   for (std::size_t i = 1; i <= count; ++i) {
     const fs::path file = shard_file(folder, {i, count});
-    const ShardHips range = hips_of({i, count}, hips);
+    const ShardHips range = hips_of({i, count}, members.size());
     if (!fs::exists(file)) {
       faults.add(i, "it is missing");
       continue;
     }
     try {
-      const ShardRows rows = read_shard(file, study, range);
+      const ShardRows rows = read_shard(file, study, members, range);
       if (rows.rows != range.last - range.first) {
         faults.add(i, "it has " + std::to_string(rows.rows) + " of its " +
                           std::to_string(range.last - range.first) + " hips");
@@ -187,7 +191,8 @@ std::vector<Cell> cohort_row(const Study& study, const Members& members, std::si
   return cells;
 }
 
-ShardRows read_shard(const fs::path& file, const Study& study, const ShardHips& hips) {
+ShardRows read_shard(const fs::path& file, const Study& study, const Members& members,
+                     const ShardHips& hips) {
   const auto broken = [&](const std::string& why) -> std::runtime_error {
     return std::runtime_error(file.string() + ": " + why + "; remove it and work out this shard again");
   };
@@ -197,6 +202,9 @@ ShardRows read_shard(const fs::path& file, const Study& study, const ShardHips& 
   if (end == std::string::npos || !head.is_object()) throw broken("is no shard");
   try {
     if (head.at("study") != study.digest) throw broken("is of another study");
+    if (head.at("joints") != members.digest()) throw broken("was worked out when the joints had other files");
+    if (head.at("commit") != commit())
+      throw broken("was worked out by another version of the program, " + head.at("commit").dump());
     if (head.at("first") != hips.first || head.at("last") != hips.last) throw broken("is of other hips");
     ShardRows found{head.at("rows"), bytes.substr(end + 1), head.at("seconds"), head.at("cpu")};
     if (head.at("sha256") != sha256_hex(found.csv))
@@ -212,9 +220,10 @@ ShardRun run_shard(const Study& study, const ShardName& shard, const fs::path& f
   claim_folder(folder, study);
   const fs::path file = shard_file(folder, shard);
   require_writable_folder(file.parent_path());
-  ShardRun run{hips_of(shard, members.size()), 0, 0.0};
+  ShardRun run{hips_of(shard, members.size()), 0, 0.0, members.warnings()};
+  for (const std::string& line : members.left_out()) run.warnings.push_back("left out: " + line);
   ShardRows found;
-  if (fs::exists(file)) found = read_shard(file, study, run.hips);
+  if (fs::exists(file)) found = read_shard(file, study, members, run.hips);
   run.kept = found.rows;
   found.cpu = this_machine().cpu;
   const double before = found.seconds;
@@ -224,7 +233,7 @@ ShardRun run_shard(const Study& study, const ShardName& shard, const fs::path& f
   const auto save = [&] {
     run.seconds = processor_seconds() - start;
     found.seconds = before + run.seconds;
-    write_shard(file, study, run.hips, found);
+    write_shard(file, study, members, run.hips, found);
     since_write = 0.0;
   };
   for (std::size_t j = run.hips.first + found.rows; j < run.hips.last; ++j) {
@@ -243,19 +252,24 @@ Merged merge(const fs::path& folder) {
                              " holds no study.json: it is no folder that cohort --out made");
   const Study study = read_study(folder / "study.json", std::nullopt);
   const std::size_t count = shards_in(folder);
-  const std::size_t hips = Members(study).size();
-  const AllShards all = read_all(folder, study, hips, count);
+  const Members members(study);
+  const AllShards all = read_all(folder, study, members, count);
   Table head;
   head.columns = cohort_columns(study);
   const std::string csv = to_csv(head) + all.csv;
   json summary = summary_of(study, head.columns, all.csv);
   summary["cohort_csv_sha256"] = sha256_hex(csv);
+  summary["commit"] = commit();
+  if (!study.joints.empty()) {
+    summary["left_out"] = members.left_out();
+    summary["warnings"] = members.warnings();
+  }
   FileSet files;
   files.add(folder / "cohort.csv", csv);
   files.add(folder / "cohort.json", summary.dump(1) + "\n");
   files.add(folder / "shards.json", json{{"shards", all.taken}}.dump(1) + "\n");
   files.commit();
-  return {hips, count};
+  return {members.size(), count};
 }
 
 }  // namespace impinge::lab

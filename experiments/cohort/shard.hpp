@@ -2,9 +2,9 @@
 // The rows of a part of a study's hips, in a file of its own that grows by whole rows.
 //
 // DIR/study.json          the study, as it is run there
-// DIR/shards/i-of-K.rows  a line of JSON: study (digest), first, last (hips from first to before last),
-//                         number of rows, their sha256, seconds of work behind them, cpu; then the rows as
-//                         CSV without a head
+// DIR/shards/i-of-K.rows  a line of JSON: study (digest), joints (digest of their files), commit of the
+//                         program, first, last (hips from first to before last), number of rows, their
+//                         sha256, seconds of work behind them, cpu; then the rows as CSV without a head
 #pragma once
 
 #include <cstddef>
@@ -51,14 +51,16 @@ struct ShardRows {
 };
 
 // Reads a shard file. Throws std::runtime_error, one line, if it is no such file, belongs to another study or
-// to other hips, or was changed.
-ShardRows read_shard(const std::filesystem::path& file, const Study& study, const ShardHips& hips);
+// to other hips, is of joints whose files were others or of another version of the program, or was changed.
+ShardRows read_shard(const std::filesystem::path& file, const Study& study, const Members& members,
+                     const ShardHips& hips);
 
 // The result of running a shard.
 struct ShardRun {
   ShardHips hips;
-  std::size_t kept = 0;  // rows of earlier runs
-  double seconds = 0.0;  // of this run
+  std::size_t kept = 0;               // rows of earlier runs
+  double seconds = 0.0;               // of this run
+  std::vector<std::string> warnings;  // about the joints of the study's folder, a line each
 };
 
 // Works out the missing rows. Keeps the rows of earlier runs, writes every few seconds, and ends with all
