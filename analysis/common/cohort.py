@@ -20,8 +20,15 @@ PREDICTORS = ["alpha_1_30", "lateral_centre_edge", "femoral_torsion"]  # cam, co
 WIDER = ["version", "joint_space", "half_opening", "head_neck_offset", "cam_height", "neck_shaft_angle"]
 
 
+def limits(hips: pd.DataFrame) -> pd.DataFrame:
+    """The same hips, without the angle of those whose rotation meets nothing or cannot begin: it is no limit."""
+    state = ROTATION.replace("_deg", "_state")
+    return hips.assign(**{ROTATION: hips[ROTATION].where(hips[state] == "limited")}) if state in hips else hips
+
+
 def explained(hips: pd.DataFrame, columns: list[str]) -> float:
     """Share of the variance of internal rotation that a linear regression on these columns explains."""
+    hips = hips[hips[ROTATION].notna()]
     y = hips[ROTATION].to_numpy()
     x = np.column_stack([np.ones(len(hips)), hips[columns].to_numpy()])
     left = y - x @ np.linalg.lstsq(x, y, rcond=None)[0]
@@ -85,6 +92,7 @@ PUBLISHED = {
 
 def comparison(hips: pd.DataFrame) -> pd.DataFrame:
     """A row per statistic: published, ours with its 95 % interval by a bootstrap over the hips, and whether it holds the former."""
+    hips = limits(hips)
     ours = statistics(hips)
     random = np.random.default_rng(27)
     draws = DRAWS if len(hips) <= 3000 else DRAWS // 5

@@ -15,12 +15,12 @@ from common import cohort
 
 
 def main(options) -> common.Figure:
-    hips = common.load(options.results, "cohort")
+    hips = cohort.limits(common.load(options.results, "cohort"))
     figure, panels = plt.subplots(1, 3, figsize=(common.WIDTH, 4.3), sharey=True)
     rotation = hips[cohort.ROTATION]
     bins = np.arange(5 * np.floor(rotation.min() / 5), rotation.max() + 5, 5)
     panels[0].hist(
-        rotation, bins=bins, orientation="horizontal", color=common.COLOURS[5], label=f"{len(hips):,} generated hips"
+        rotation, bins=bins, orientation="horizontal", color=common.COLOURS[5], label=f"{rotation.count():,} generated hips"
     )
     for name, style in zip(cohort.GROUPS, ("-", "--", ":")):
         label = f"published mean of {name} ({cohort.AUDENAERT})"
@@ -29,7 +29,7 @@ def main(options) -> common.Figure:
     reach = np.abs(
         [
             rotation - hips.internal_rotation_at_90_low_deg,
-            hips.internal_rotation_at_90_high_deg.clip(upper=rotation.max() + 5) - rotation,
+            hips.internal_rotation_at_90_high_deg.fillna(np.inf).clip(upper=rotation.max() + 5) - rotation,
         ]
     )
     look = {"fmt": "o", "markersize": 2.5, "linewidth": 0.4, "color": common.COLOURS[0], "ecolor": common.THESIS_GREY}

@@ -152,7 +152,7 @@ void add_limit(const TurningHip& hip, const TurnLimit& limit, const CentreInterv
   cells.emplace_back(name(limit.state));
   cells.emplace_back(limit.low_deg);
   cells.emplace_back(any.low_deg);
-  cells.emplace_back(any.high_deg);
+  cells.push_back(any.limited ? Cell(any.high_deg) : Cell());
   const bool placed = limit.contact && hip.dial();
   cells.push_back(placed ? Cell(hip.dial()->hours(limit.contact->place)) : Cell());
 }
@@ -224,11 +224,13 @@ std::vector<Column> limit_columns(const CohortQuestions& asked) {
   std::vector<Column> columns;
   for (const NamedMotion& motion : named_motions()) {
     const std::string m(motion.name);
-    columns.insert(columns.end(), {{m + "_state", "", "how the search for the limit ended"},
-                                   {m + "_deg", "deg", "no contact up to here"},
-                                   {m + "_low_deg", "deg", "the same for every centre within 0.5 mm"},
-                                   {m + "_high_deg", "deg", "contact by here for every such centre"},
-                                   {m + "_clock", "h", "where they touch, on the dial of the socket"}});
+    columns.insert(
+        columns.end(),
+        {{m + "_state", "", "how the search for the limit ended"},
+         {m + "_deg", "deg", "no contact up to here; a limit if M_state is limited"},
+         {m + "_low_deg", "deg", "the same for every centre within 0.5 mm"},
+         {m + "_high_deg", "deg", "contact by here for every such centre; empty where that is not known"},
+         {m + "_clock", "h", "where they touch, on the dial of the socket"}});
     if (!asked.zones) continue;
     columns.insert(columns.end(), {{m + "_zone_from", "h", "where the largest close zone begins"},
                                    {m + "_zone_to", "h", "where it ends, clockwise"},

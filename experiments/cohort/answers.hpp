@@ -19,7 +19,8 @@ inline constexpr const char* kFine = "fine_";
 // The columns of a row after the description of its hip. For each motion M (hip/named_motion.hpp):
 //   M_state   limited, free, blocked or unknown (limits/turn_limit.hpp)
 //   M_deg     lower end of the bracket of its limit; the largest tested angle if free, 0 if blocked
-//   M_low_deg, M_high_deg   hold for every common centre within half a millimetre
+//   M_low_deg, M_high_deg   hold for every common centre within half a millimetre; M_high_deg is empty unless
+//             all of them are known to have a limit
 //   M_clock   hours, where the bones touch
 //   M_zone_from, M_zone_to, M_zone_mm2   at the limit, the stretch of the socket's dial that has the largest
 //             area with gaps up to the threshold

@@ -14,6 +14,7 @@
 #include "cohort/answers.hpp"
 #include "files/finite_number.hpp"
 #include "harness/statistics.hpp"
+#include "limits/turn_limit.hpp"
 
 namespace impinge::lab {
 namespace {
@@ -21,19 +22,22 @@ namespace {
 using nlohmann::json;
 
 constexpr std::array kShares{0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 0.975, 0.99};
-constexpr double kTail = 0.025;      // beyond each end of an interval of 95 %
+constexpr double kTail = 0.025;  // beyond each end of an interval of 95 %
+constexpr std::string_view kState = "_state";
 constexpr double kMeshShare = 0.95;  // of the checked hips: their change with the mesh widens an interval
 
 // The cells of a column: the numbers, NaN for empty cells and words; and the words.
 struct ColumnValues {
   std::vector<double> numbers;
   std::map<std::string, std::size_t> words;
+  std::vector<bool> limited;  // is it this word?
 };
 
 void add_cell(ColumnValues& column, std::string_view cell) {
   const std::optional<double> number = finite_number(cell);
   if (!number && !cell.empty()) ++column.words[std::string(cell)];
   column.numbers.push_back(number.value_or(NAN));
+  column.limited.push_back(cell == word_of(LimitState::limited));
 }
 
 std::vector<ColumnValues> values_of(std::size_t columns, std::string_view csv) {
@@ -57,6 +61,10 @@ class Cohort {
  public:
   Cohort(const std::vector<Column>& columns, std::string_view csv) : values_(values_of(columns.size(), csv)) {
     for (std::size_t k = 0; k < columns.size(); ++k) place_[columns[k].name] = k;
+    for (const auto& [name, k] : place_) {
+      if (name.ends_with(kState))
+        keep_limits(name.substr(0, name.size() - kState.size()), values_[k].limited);
+    }
   }
   const ColumnValues* column(const std::string& name) const {
     const auto found = place_.find(name);
@@ -64,6 +72,24 @@ class Cohort {
   }
 
  private:
+  // Only where a motion ended by contact have its angles, and the zones there, to do with a limit. Where that
+  // is not so for every centre, the upper end is open.
+  void keep_limits(const std::string& motion, const std::vector<bool>& limited) {
+    for (const std::string& name :
+         {motion + "_deg", motion + "_low_deg", motion + "_high_deg", motion + "_zone_from",
+          motion + "_zone_to", motion + "_zone_mm2", kFine + motion + "_deg"}) {
+      const auto found = place_.find(name);
+      if (found == place_.end()) continue;
+      std::vector<double>& numbers = values_[found->second].numbers;
+      for (std::size_t j = 0; j < numbers.size(); ++j) {
+        if (!limited[j])
+          numbers[j] = NAN;
+        else if (std::isnan(numbers[j]) && name.ends_with("_high_deg"))
+          numbers[j] = INFINITY;
+      }
+    }
+  }
+
   std::vector<ColumnValues> values_;
   std::map<std::string, std::size_t> place_;
 };
@@ -90,6 +116,12 @@ std::vector<double> mesh_changes(const Cohort& cohort, const std::string& name) 
 
 json end_of(const std::vector<double>& sorted, std::size_t rank) {
   return rank < 1 || rank > sorted.size() ? json(nullptr) : json(sorted[rank - 1]);
+}
+
+// The states behind M_deg; null for other columns.
+const ColumnValues* state_of(const Cohort& cohort, const std::string& name) {
+  return name.ends_with("_deg") ? cohort.column(name.substr(0, name.size() - 4) + std::string(kState))
+                                : nullptr;
 }
 
 // The lower and the upper end for each value.
@@ -130,6 +162,10 @@ json quantity_of(const Cohort& cohort, const std::string& name, const std::vecto
   double squares = 0.0;
   for (const double x : sorted) squares += (x - sum / n) * (x - sum / n);
   json quantity{{"n", sorted.size()}, {"mean", sum / n}};
+  if (const ColumnValues* state = state_of(cohort, name)) {
+    quantity["without_limit"] = state->words;
+    quantity["without_limit"].erase(word_of(LimitState::limited));
+  }
   quantity["sd"] = sorted.size() > 1 ? json(std::sqrt(squares / (n - 1.0))) : json(nullptr);
   const std::vector<double> changes = mesh_changes(cohort, name);
   double change = 0.0;

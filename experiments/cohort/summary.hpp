@@ -15,6 +15,8 @@ namespace impinge::lab {
 // Has title, study, digest, seed, hips, columns, counts (of each word of M_state, of each hour of M_clock),
 // and quantities: for each column of numbers
 //   n, mean, sd
+//   without_limit  of M_deg alone: the other hips by their M_state. An angle, or a zone at its end, is
+//              summarised where M is limited
 //   mesh       for the hips that got a second look: their number, and the 95th percentile and the largest
 //              change by the finer mesh
 //   quantiles  p, value (type 7 of Hyndman and Fan), and two intervals; null for an unknown end:
@@ -23,7 +25,7 @@ namespace impinge::lab {
 //                     Statistics)
 //     mesh_and_centre holds the quantile of these hips: from M_low_deg and M_high_deg, which are proven for
 //                     every centre within half a millimetre, widened by the 95th percentile of `mesh`, which
-//                     is measured
+//                     is measured; unknown above where it rests on a hip without M_high_deg
 // `csv` has the rows without a head. The same rows give the same bytes.
 nlohmann::json summary_of(const Study& study, const std::vector<Column>& columns, std::string_view csv);
 

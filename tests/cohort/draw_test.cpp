@@ -237,18 +237,19 @@ const std::vector<Column> kColumns{{"hip", "1", ""},
                                    {"turn_low_deg", "deg", ""},
                                    {"turn_high_deg", "deg", ""},
                                    {"turn_clock", "h", ""},
+                                   {"turn_zone_mm2", "mm^2", ""},
                                    {"fine_turn_deg", "deg", ""}};
 
 TEST(Summary, IntervalsOfMeshAndCentreAreQuantilesOfTheEndsWidenedByTheMesh) {
   const std::string rows =
-      "0,limited,10,8,12,0.5,10.5\n"
-      "1,limited,20,19,25,11.9,\n"
-      "2,free,180,170,180,,\n";
+      "0,limited,10,8,12,0.5,7,10.5\n"
+      "1,limited,20,19,25,11.9,9,\n"
+      "2,limited,90,80,95,,,\n";
   const auto found = summary_of(study_of_limits(), kColumns, rows);
   const auto& turn = found["quantities"]["turn_deg"];
   EXPECT_EQ(turn["n"], 3);
-  EXPECT_DOUBLE_EQ(turn["mean"], 70.0);
-  EXPECT_DOUBLE_EQ(turn["sd"], std::sqrt(0.5 * (60.0 * 60.0 + 50.0 * 50.0 + 110.0 * 110.0)));
+  EXPECT_DOUBLE_EQ(turn["mean"], 40.0);
+  EXPECT_DOUBLE_EQ(turn["sd"], std::sqrt(0.5 * (30.0 * 30.0 + 20.0 * 20.0 + 50.0 * 50.0)));
   EXPECT_EQ(turn["mesh"]["checked"], 1);
   EXPECT_DOUBLE_EQ(turn["mesh"]["largest"], 0.5);
   for (const auto& entry : turn["quantiles"]) {
@@ -259,16 +260,40 @@ TEST(Summary, IntervalsOfMeshAndCentreAreQuantilesOfTheEndsWidenedByTheMesh) {
       EXPECT_TRUE(entry["sampling"][0].is_null()) << "three draws bound no median with 95 %";
     }
   }
-  EXPECT_EQ(found["counts"]["turn_state"]["limited"], 2);
-  EXPECT_EQ(found["counts"]["turn_state"]["free"], 1);
+  EXPECT_EQ(found["counts"]["turn_state"]["limited"], 3);
   EXPECT_EQ(found["counts"]["turn_clock"][0], 1);
   EXPECT_EQ(found["counts"]["turn_clock"][11], 1);
   EXPECT_FALSE(found["quantities"].contains("turn_low_deg"));
 }
 
+// A motion that meets nothing, or cannot begin, has an angle, too; it is no limit.
+TEST(Summary, OnlyLimitsAreSummarised) {
+  const std::string rows =
+      "0,limited,10,8,,0.5,7,10.5\n"
+      "1,free,180,170,,,900,170\n"
+      "2,limited,30,19,35,11.9,9,\n"
+      "3,blocked,0,0,,1.5,800,\n"
+      "4,unknown,50,40,,,,\n"
+      "5,,,,,,,\n";
+  const auto found = summary_of(study_of_limits(), kColumns, rows);
+  const auto& turn = found["quantities"]["turn_deg"];
+  EXPECT_EQ(turn["n"], 2);
+  EXPECT_DOUBLE_EQ(turn["mean"], 20.0);
+  EXPECT_EQ(turn["without_limit"], nlohmann::json({{"free", 1}, {"blocked", 1}, {"unknown", 1}}));
+  EXPECT_DOUBLE_EQ(turn["mesh"]["largest"], 0.5);
+  for (const auto& entry : turn["quantiles"]) {
+    if (entry["p"] != 0.5) continue;
+    EXPECT_DOUBLE_EQ(entry["value"], 20.0);
+    EXPECT_DOUBLE_EQ(entry["mesh_and_centre"][0], 13.0);
+    EXPECT_EQ(entry["mesh_and_centre"][1].dump(), "null") << "one of both may have no limit";
+  }
+  EXPECT_DOUBLE_EQ(found["quantities"]["turn_zone_mm2"]["mean"], 8.0);
+  EXPECT_EQ(found["counts"]["turn_state"]["free"], 1);
+}
+
 TEST(Summary, ACutRowIsSeen) {
   for (const char* rows :
-       {"0,limited,10,8,12,0.5\n", "0,limited,10,8,12,0.5,1", "0,limited,10,8,12,0.5,1,2\n"}) {
+       {"0,limited,10,8,12,0.5,1\n", "0,limited,10,8,12,0.5,1,1", "0,limited,10,8,12,0.5,1,1,2\n"}) {
     EXPECT_EQ(test::thrown<std::runtime_error>([&] { summary_of(study_of_limits(), kColumns, rows); }),
               "a row of the cohort is cut");
   }

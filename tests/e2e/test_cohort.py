@@ -7,8 +7,10 @@ import csv
 import hashlib
 import json
 import os
+import re
 import shutil
 import signal
+import struct
 import subprocess
 import tempfile
 import time
@@ -160,6 +162,35 @@ class Cohort(unittest.TestCase):
         self.done("--merge", out)
         self.assertEqual(self.bytes_of(out), self.bytes_of(before))  # the results of the first merge
 
+    def test_rows_of_other_joints_or_another_program_are_not_kept(self):
+        folder, out = self.joints(), self.root / "out"
+        study = self.study(joints=str(folder), questions=["limits"], **dict.fromkeys(set(STUDY) - {"title", "seed", "questions"}))
+        words = ("--study", study, "--shard", "1/1", "--out", out)
+        self.assertEqual(self.run_cohort(*words).returncode, 0)
+        shard, said, ball = out / "shards/1-of-1.rows", folder / "a/subject.json", folder / "a/ball.ply"
+        before = said.read_bytes(), ball.read_bytes(), shard.read_bytes()
+        other = "was worked out when the joints had other files"
+
+        def of_another_program():
+            head, rows = before[2].split(b"\n", 1)
+            shard.write_bytes(json.dumps({**json.loads(head), "commit": "0123456789ab"}).encode() + b"\n" + rows)
+
+        for change, why in (
+            (lambda: said.write_text(json.dumps({"side": "right", "center_of_rotation_mm": [0, 0, 0]})), other),
+            (lambda: ball.write_bytes(before[1][:-13]), None),  # that joint is left out, and there is none
+            (lambda: ball.write_bytes(before[1].replace(b"lengths in millimetres", b"another made the mesh.")), other),
+            (of_another_program, 'was worked out by another version of the program, "0123456789ab"'),
+        ):
+            change()
+            for words_of in (words, ("--merge", out)):
+                found = self.run_cohort(*words_of)
+                self.assertEqual(found.returncode, 1)
+                self.assertIn(f"{shard}: {why}; remove it and work out this shard again" if why else "none of its joints can be used", found.stderr)
+            said.write_bytes(before[0])
+            ball.write_bytes(before[1])
+            shard.write_bytes(before[2])
+        self.done("--merge", out)
+
     def test_folders_that_are_no_run_of_the_study(self):
         study = self.study(questions=["morphology"])
         out = self.whole(1, study)
@@ -239,7 +270,10 @@ class Cohort(unittest.TestCase):
         study = self.root / "study.json"
         study.write_text(json.dumps({"title": "two", "seed": 1, "joints": str(self.root / "joints"),
                                      "questions": ["limits", "morphology"]}))
-        out = self.whole(2, study)
+        out = self.root / "out"
+        for shard in ("1/2", "2/2"):
+            self.assertEqual(self.run_cohort("--study", study, "--shard", shard, "--out", out).returncode, 0)
+        self.done("--merge", out)
         with (out / "cohort.csv").open() as file:
             rows = list(csv.DictReader(file))
         self.assertEqual([row["joint"] for row in rows], ["a", "b"])
@@ -247,6 +281,60 @@ class Cohort(unittest.TestCase):
         self.assertTrue(all(row["flexion_deg"] for row in rows))
         self.refused(1, f"study {study}: its hips are those of a folder; leave out --hips",
                      "--study", study, "--hips", "2", "--out", out)
+
+    def joints(self) -> Path:
+        """A left hip in LPS, which only the headers of its meshes say, and five that cannot be used."""
+        folder = self.root / "bones"
+        made = self.root / "made"
+        shape = ("side=left", "head_neck_offset=14", "lateral_centre_edge=15", "half_opening=75", "version=35")
+        loose = [word for change in shape for word in ("--set", change)]
+        subprocess.run([IMPINGE, "hip", "normal", *loose, "--faces", "600", "--out", made], check=True, capture_output=True)
+        here = {"side": "left", "center_of_rotation_mm": [0, 0, 0]}
+        for name, said in (("a", here), ("bad", {**here, "side": "up"}), ("half", here), ("marked", {**here, "landmarks": "m.csv"}),
+                           ("said", {**here, "axes": "RAS"}), ("swapped", here)):
+            (folder / name).mkdir(parents=True)
+            (folder / name / "subject.json").write_text(json.dumps(said))
+            for mesh in ("ball", "socket"):
+                head, end, body = (made / f"{mesh}.ply").read_bytes().partition(b"end_header\n")
+                count = 3 * int(head.split(b"element vertex ")[1].split()[0])
+                places = struct.unpack_from(f"<{count}d", body)
+                turned = [-x if k % 3 < 2 else x for k, x in enumerate(places)]
+                name_of = {"ball": "socket", "socket": "ball"}[mesh] if name == "swapped" else mesh
+                if (name, mesh) != ("half", "socket"):
+                    (folder / name / f"{name_of}.ply").write_bytes(
+                        head.replace(b"SPACE=RAS", b"SPACE=LPS") + end + struct.pack(f"<{count}d", *turned) + body[8 * count:])
+        return folder
+
+    def test_joints_are_taken_as_by_the_other_commands(self):
+        """The same limits, whatever says where the axes point; and what is left out there is left out here, and told."""
+        folder, out = self.joints(), self.root / "out"
+        study = self.study(joints=str(folder), questions=["limits"], **dict.fromkeys(set(STUDY) - {"title", "seed", "questions"}))
+        found = self.run_cohort("--study", study, "--out", out)
+        self.assertEqual(found.returncode, 0, found.stderr)
+        self.done("--merge", out)
+        with (out / "cohort.csv").open() as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["joint"] for row in rows], ["a"])
+        asked = subprocess.run([IMPINGE, "limits", "--joints", folder, "--out", self.root / "limits", "--json", "--quiet"],
+                               capture_output=True, text=True, check=True)
+        told = json.loads(asked.stdout)
+        limits = {one["motion"]: one for one in told["documents"][0]["answer"]["limits"] if one["centre"] == "ball"}
+        self.assertEqual(told["documents"][0]["joint"]["axes"], "LPS")
+        for motion, one in limits.items():
+            self.assertAlmostEqual(float(rows[0][f"{motion}_deg"]), one["low_deg"], delta=1e-6)
+            self.assertEqual((rows[0][f"{motion}_state"], rows[0][f"{motion}_high_deg"] == ""), (one["state"], one["centre_high_deg"] is None))
+        self.assertEqual([limits[motion]["state"] for motion in ("flexion", "extension")], ["free", "limited"])
+        self.assertIsNone(limits["extension"]["centre_high_deg"])
+        summary = json.loads((out / "cohort.json").read_text())
+        self.assertNotIn("flexion_deg", summary["quantities"])
+        extension = summary["quantities"]["extension_deg"]
+        self.assertEqual((extension["n"], extension["without_limit"], extension["quantiles"][5]["mesh_and_centre"][1]), (1, {}, None))
+        self.assertEqual(summary["warnings"], [f"a: {line}" for line in told["documents"][0]["joint"]["warnings"]])
+        self.assertEqual(len(told["left_out"]), 5)  # the landmarks are missing there
+        self.assertEqual([re.search(r"\b(bad|half|marked|said|swapped)\b", line.replace(str(folder), ""))[1] for line in summary["left_out"]],
+                         ["bad", "half", "marked", "said", "swapped"])
+        lines = summary["warnings"] + [f"left out: {line}" for line in summary["left_out"]]
+        self.assertEqual(found.stderr, "".join(f"impinge: warning: {line}\n" for line in lines))
 
 
 if __name__ == "__main__":
