@@ -232,7 +232,8 @@ void add_parts(NamedMesh whole, JointPart& to, Joint& joint) {
 std::optional<double> head_radius(const Joint& joint) {
   if (joint.fit) return joint.fit->radius;
   double nearest = std::numeric_limits<double>::infinity();  // no head has a smaller radius
-  for (const Vec3& x : joint.ball.mesh.vertices) nearest = std::min(nearest, x.norm());
+  for (const Face& face : joint.ball.mesh.faces)
+    for (const VertexIndex v : face) nearest = std::min(nearest, joint.ball.mesh.vertices[v].norm());
   if (std::ranges::none_of(std::array{&joint.ball, &joint.socket}, [&](const JointPart* part) {
         return is_whole_bone(part->mesh, part->star_shape.violating, nearest);
       }))

@@ -67,7 +67,8 @@ TriangleMesh marked_faces(const TriangleMesh& mesh, const std::vector<bool>& mar
 
 bool is_whole_bone(const TriangleMesh& bone, double hidden, double head_radius) {
   double reach = 0.0;
-  for (const Vec3& x : bone.vertices) reach = std::max(reach, x.norm());
+  for (const Face& face : bone.faces)
+    for (const VertexIndex v : face) reach = std::max(reach, bone.vertices[v].norm());
   return reach > kFar * head_radius || (reach > kCutEnds * head_radius && hidden > kHiddenBone);
 }
 

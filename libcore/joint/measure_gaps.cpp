@@ -13,7 +13,6 @@
 #include "gap/measured_gap.hpp"
 #include "gap/overlay.hpp"
 #include "joint/pose_answer.hpp"
-#include "mesh/surface_vertices.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge {
@@ -151,9 +150,11 @@ void measure_distances(const SessionJoint& joint, GapsAnswer& result) {
     const Surface of = kSurfaces[k];
     std::vector<DistanceBracket>& distance = result.of(of).distance;
     distance = EuclideanDistance(joint.mesh(other(of))).at(places_in_other(joint, result.pose, of));
-    const std::vector<bool> on = on_surface(joint.mesh(of));
-    for (std::size_t v = 0; v < on.size(); ++v)
-      if (!on[v]) distance[v] = {kNoSurface, kNoSurface};
+    std::vector<bool> of_face(distance.size(), false);  // edge-on ones too
+    for (const Face& face : joint.mesh(of).faces)
+      for (const VertexIndex v : face) of_face[v] = true;
+    for (std::size_t v = 0; v < of_face.size(); ++v)
+      if (!of_face[v]) distance[v] = {kNoSurface, kNoSurface};
   });
 }
 

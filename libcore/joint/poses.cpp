@@ -109,15 +109,15 @@ PoseAreas PoseSeries::areas(const Pose& pose) const {
   std::vector<float> ball(cells_->ball.size());
   std::vector<float> socket(cells_->socket.size());
   scan_joint(*cells_, pose, ball, socket);
-  const auto up_to = [](double gap_mm, const std::vector<float>& gaps, const std::vector<double>& areas) {
+  const auto up_to = [](double gap_mm, const std::vector<float>& gaps, const SessionPart& of) {
     double area = 0.0;
     for (std::size_t i = 0; i < gaps.size(); ++i)
-      area += gaps[i] <= static_cast<float>(gap_mm) ? areas[i] : 0.0;
+      area += of.used[i] && gaps[i] <= static_cast<float>(gap_mm) ? of.area[i] : 0.0;
     return area;
   };
   const double touching = asked_.cartilage_mm;
-  return {up_to(0.0, ball, joint_.ball.area), up_to(0.0, socket, joint_.socket.area),
-          up_to(touching, ball, joint_.ball.area), up_to(touching, socket, joint_.socket.area)};
+  return {up_to(0.0, ball, joint_.ball), up_to(0.0, socket, joint_.socket),
+          up_to(touching, ball, joint_.ball), up_to(touching, socket, joint_.socket)};
 }
 
 PoseRow PoseSeries::answer(const Pose& pose) const {

@@ -7,6 +7,7 @@
 #include "files/formatted.hpp"
 #include "gap/measured_gap.hpp"
 #include "joint/needed_work.hpp"
+#include "sphere/infinity.hpp"
 #include "sphere/radial_table.hpp"
 
 namespace impinge {
@@ -32,7 +33,9 @@ SmallestOfPose told_gap(const SessionJoint& joint, const LeastGap& least, const 
   SmallestOfPose told = smallest_at(joint, pose, scanned, vertex, least.gap_mm);
   const Vec3& x = joint.bone(scanned).mesh.vertices[vertex];
   const CertifiedGap ends = measured_gap(scanned, faces, to_other(scanned, pose, x));
-  told.error_bound_mm = std::max(ends.high - least.gap_mm, least.gap_mm - ends.low);
+  told.error_bound_mm = ends.cover == Cover::none  // a rim that rounding decides about
+                            ? kInfinity
+                            : std::max(ends.high - least.gap_mm, least.gap_mm - ends.low);
   return told;
 }
 

@@ -37,11 +37,14 @@ Floats gap_array(const PoseJoint& joint, Surface of, std::size_t poses, const py
 struct GapRows {
   explicit GapRows(Floats& gaps)
       : first(gaps.mutable_data()), width(static_cast<std::size_t>(gaps.shape(1))) {}
-  // The main surface's gaps, of `of_main` vertices; the parts behind it have none.
+  // The main surface's gaps, of `of_main` vertices.
   std::span<float> main(std::size_t pose, std::size_t of_main) const {
-    const std::span<float> row(first + pose * width, width);
-    std::ranges::fill(row.subspan(of_main), std::numeric_limits<float>::quiet_NaN());
-    return row.first(of_main);
+    return std::span<float>(first + pose * width, width).first(of_main);
+  }
+  // The parts behind it, and vertices that are not on it, have none.
+  void leave_out(std::size_t pose, const std::vector<bool>& used, std::size_t of_main) const {
+    for (std::size_t v = 0; v < width; ++v)
+      if (v >= of_main || !used[v]) first[pose * width + v] = std::numeric_limits<float>::quiet_NaN();
   }
   float* first;
   std::size_t width;
@@ -54,10 +57,16 @@ py::tuple gaps(PoseJoint& joint, const py::object& given, const std::optional<do
   Floats socket = gap_array(joint, Surface::socket, poses.size(), out ? out->second : py::none());
   const GapRows ball_gaps(ball);
   const GapRows socket_gaps(socket);
+  std::array<std::vector<bool>, 2> used;
+  without_lock(1, [&](std::size_t) {
+    used = joint.alone([](const SessionJoint& of) { return std::array{of.ball.used, of.socket.used}; });
+  });
   const auto scan_all = [&](const auto& packed) {
     without_lock(poses.size(), [&](std::size_t k) {
       scan_joint(packed, poses[k], ball_gaps.main(k, packed.ball.size()),
                  socket_gaps.main(k, packed.socket.size()));
+      ball_gaps.leave_out(k, used[0], packed.ball.size());
+      socket_gaps.leave_out(k, used[1], packed.socket.size());
     });
   };
   if (precision_deg)

@@ -10,6 +10,7 @@
 
 #include "joint/limits.hpp"
 #include "joint/pose_answer.hpp"
+#include "joint/poses.hpp"
 #include "joint/touch.hpp"
 #include "mesh/generated_pair.hpp"
 
@@ -105,6 +106,24 @@ TEST(Session, DistancesAreThoseOfSurfaces) {
   Session more(std::move(joint), std::nullopt, "ALS");
   EXPECT_GT(smallest(session)[0], 0.1);
   EXPECT_EQ(smallest(more), smallest(session));
+  GapsRequest request;
+  request.outputs = {Output::distances};
+  const auto distance = answer(session, request).ball.distance;
+  const std::size_t last = distance.size() - 1;
+  EXPECT_TRUE(std::isnan(distance[last - 3].upper_mm)) << "of no face";
+  for (std::size_t v = last - 2; v <= last; ++v) EXPECT_LT(distance[v].upper_mm, 10.0) << "of a face edge-on";
+}
+
+// As everywhere, vertices that are on no face, or on none but edge-on ones, have no gap.
+TEST(Session, AreasOfPosesAreOfVerticesOnTheSurface) {
+  Session session = session_with_strays();
+  const SessionJoint& joint = *session.joint;
+  const PoseSeries series(joint, {.outputs = {PosesOutput::areas}, .cartilage_mm = 100.0});
+  const GapsAnswer gaps = answer_pose(session, {});
+  double area = 0.0;
+  for (std::size_t v = 0; v < gaps.ball.gap.size(); ++v)
+    area += std::isnan(gaps.ball.gap[v]) ? 0.0 : joint.ball.area[v];
+  EXPECT_NEAR(series.answer({}).areas->cartilage_ball_mm2, area, 1e-6 * area);
 }
 
 }  // namespace

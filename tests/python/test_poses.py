@@ -89,6 +89,14 @@ def test_spheres_touch_where_their_shift_takes_up_the_space():
     assert abs(joint.smallest_gap(shifts[:1])["gap_mm"][0] - 5.0) < 0.3
 
 
+def test_vertices_of_no_face_have_no_gap():
+    vertices, faces = sphere(20.0)
+    joint = impinge.Joint.from_arrays((np.vstack([vertices, (0.0, 0.0, -40.0)]), faces), sphere(25.0, open_above=10.0), centre=(0, 0, 0))
+    for precision in (None, 1.0):
+        ball, _ = joint.gaps((0, 0, 0), precision_deg=precision)
+        assert len(ball[0]) == len(joint.ball.vertices) and np.isnan(ball[0][-1]) and np.nanmin(ball) > 4.0
+
+
 def test_tables_come_near_the_faces(hip):
     ball, socket = hip.gaps(TURNS)
     for precision, most in ((0.25, 0.3), (1.0, 1.2)):
