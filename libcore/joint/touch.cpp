@@ -66,7 +66,9 @@ ContactDocument contact_of(const Joint& joint, const BodyPairs::Verdict& verdict
 std::optional<NearestPartDocument> nearest_part(SessionJoint& joint, const Pose& pose) {
   const auto nearest = joint.bodies().nearest_part(pose);
   if (!nearest) return std::nullopt;
-  return NearestPartDocument{nearest->distance_mm, nearest->touch,
+  const std::optional<bool> touch =
+      nearest->touch == Contact::unknown ? std::nullopt : std::optional(nearest->touch == Contact::yes);
+  return NearestPartDocument{nearest->distance_mm, touch,
                              body_name(joint.joint.ball.parts, nearest->pair.ball),
                              body_name(joint.joint.socket.parts, nearest->pair.socket)};
 }
@@ -138,9 +140,9 @@ std::string describe(const std::optional<SmallestOfPose>& gap) {
 std::string describe(const std::optional<NearestPartDocument>& part) {
   if (!part) return "";
   const std::string bodies = both_of(*part);
-  if (part->touch) return "parts               " + bodies + " touch\n";
+  if (part->touch == true) return "parts               " + bodies + " touch\n";
   return "parts               " + bodies + " are nearest, " + rounded_down(part->distance_mm, 3) +
-         " mm apart\n";
+         (part->touch ? " mm apart\n" : " mm between their surfaces; whether one is inside is not known\n");
 }
 
 TouchAnswer touch_in(SessionJoint& joint, const Pose& pose) {

@@ -62,13 +62,14 @@ struct SmallestOfPose {
 /// Two bones, of which at least one is a part.
 struct NearestPartDocument {
   double distance_mm = 0.0;
-  bool touch = false;
+  std::optional<bool> touch;
   std::optional<std::string> ball_part;
   std::optional<std::string> socket_part;
 
   static constexpr std::tuple fields{
       Field{"distance_mm", "mm", "of their surfaces; 0 in contact", &NearestPartDocument::distance_mm},
-      Field{"touch", "", "do they?", &NearestPartDocument::touch},
+      Field{"touch", "", "do they? null where only an opening of a mesh could tell",
+            &NearestPartDocument::touch},
       Field{"ball_part", "", "part of the ball's bone; null: its main surface",
             &NearestPartDocument::ball_part},
       Field{"socket_part", "", "part of the socket's bone; null: its main surface",

@@ -122,9 +122,22 @@ auto in_ball(const NearPoses& poses) {
 }  // namespace
 
 double Opening::beside(const Triangle& x) const {
-  Eigen::AlignedBox3d of;
-  for (const Vec3& corner : x) of.extend((axes * corner).eval());
-  return (of.min() - box.max()).cwiseMax(box.min() - of.max()).maxCoeff();
+  const Vec3 half = 0.5 * box.sizes();
+  Triangle at;
+  for (std::size_t k = 0; k < 3; ++k) at[k] = axes * x[k] - box.center();
+  double most = -HUGE_VAL;
+  const auto ask = [&](const Vec3& way) {
+    const double length = way.norm();
+    if (length < kNodeRounding) return;  // one axis less only brings them nearer
+    const auto [low, high] = std::minmax({at[0].dot(way), at[1].dot(way), at[2].dot(way)});
+    most = std::max(most, (std::max(low, -high) - half.dot(way.cwiseAbs())) / length);
+  };
+  ask((at[1] - at[0]).cross(at[2] - at[0]));
+  for (int k = 0; k < 3; ++k) {
+    ask(Vec3::Unit(k));
+    for (std::size_t e = 0; e < 3; ++e) ask(Vec3::Unit(k).cross(at[(e + 1) % 3] - at[e]));
+  }
+  return most;
 }
 
 // 1 if the normals point out of the bone: a ball's away from the centre, a socket's towards it. Else -1. Of a
@@ -252,9 +265,8 @@ Contact BodyPairs::Body::encloses(const Vec3& x) const {
   return inside ? Contact::yes : Contact::no;
 }
 
-// Is one point of each piece of the other body inside? place(x) is where a point x of the other body lies in
-// this one's frame; with a reach, poses are asked about in which it is elsewhere. The surfaces must not meet.
-// What comes through the mouth of a socket that is a sheet comes to its hollow, not into bone.
+// Is one point of each piece of the other body inside? What comes through the mouth of a socket that is a
+// sheet comes to its hollow, not into bone.
 template <class Place>
 Contact BodyPairs::Body::holds_pieces(const Body& other, const Reach& reach, const Place& place) const {
   Contact found = Contact::no;
@@ -270,10 +282,12 @@ Contact BodyPairs::Body::holds_pieces(const Body& other, const Reach& reach, con
   return found;
 }
 
-// Is any point of it? Of a sheet only holds_pieces().
+// Is any point of the other body inside? place(x) is where a point x of it lies in this one's frame; with a
+// reach, poses are asked about in which it is elsewhere. The surfaces must not meet. Of a sheet only one
+// point of each piece is asked about. What passes an opening's box may be inside with what is behind the box.
 template <class Place>
 Contact BodyPairs::Body::holds_of(const Body& other, const Reach& reach, const Place& place) const {
-  Contact found = holds_pieces(other, reach, place);
+  const Contact found = holds_pieces(other, reach, place);
   if (found == Contact::yes || sheet || openings.empty()) return found;
   const bool enters = other.faces().any_node([&](const SweptParts::Node& node) {
     const Vec3 centre = place(node.centre);
@@ -287,16 +301,13 @@ Contact BodyPairs::Body::holds_of(const Body& other, const Reach& reach, const P
   });
   if (!enters) return found;
   if (reach.at(1.0) > 0.0) return Contact::unknown;
-  const auto ask = [&](const Vec3& x) {
-    const Contact one = holds(place(x));
-    if (one == Contact::yes || found == Contact::no) found = one;
-  };
-  for (std::size_t f = 0; f < other.turn.first_corner.size() && found != Contact::yes; ++f) {
+  for (std::size_t f = 0; f < other.turn.first_corner.size(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (other.turn.first_corner[f][k]) ask(other.faces().parts()[f].corner[k]);
+      if (other.turn.first_corner[f][k] && holds(place(other.faces().parts()[f].corner[k])) == Contact::yes)
+        return Contact::yes;
     }
   }
-  return found;
+  return Contact::unknown;
 }
 
 BodyPairs::BodyPairs(const BallSocketPair& main, const BoneParts& beside)
@@ -387,7 +398,7 @@ bool BodyPairs::any_edge_on(const Ask& ask) const {
   return (edge_on_[0] && ask(*edge_on_[0], *socket_[0])) || (edge_on_[1] && ask(*ball_[0], *edge_on_[1]));
 }
 
-// The verdict about main bones that do not overlap radially.
+// The verdict about main bones without what radii tell. In a socket that is a sheet nothing is looked for.
 BodyPairs::Verdict BodyPairs::beside_radii(const Pair& pair, const Pose& pose) const {
   Verdict found{Contact::no, ContactRule::surfaces, pair};
   any_edge_on([&](const Body& ball, const Body& socket) {
@@ -395,10 +406,11 @@ BodyPairs::Verdict BodyPairs::beside_radii(const Pair& pair, const Pose& pose) c
     if (one.contact != Contact::no) found = one;
     return one.contact == Contact::yes;
   });
-  if (found.contact == Contact::yes || !is_open_bone(*ball_[0])) return found;
+  if (found.contact == Contact::yes || ball_[0]->sheet) return found;
   const Contact in_ball =
-      ball_[0]->holds_pieces(*socket_[0], {}, [&](const Vec3& y) -> Vec3 { return to_ball(pose, y); });
-  return in_ball == Contact::no ? found : Verdict{in_ball, ContactRule::inside, pair, false};
+      ball_[0]->holds_of(*socket_[0], {}, [&](const Vec3& y) -> Vec3 { return to_ball(pose, y); });
+  return in_ball == Contact::no ? found
+                                : Verdict{in_ball, ContactRule::inside, pair, ball_[0]->openings.empty()};
 }
 
 BodyPairs::Verdict BodyPairs::verdict(const Body& ball, const Body& socket, const Pair& pair,
@@ -438,8 +450,8 @@ BodyPairs::Verdict BodyPairs::first_of(const Ask& ask) const {
   return first;
 }
 
-BodyPairs::Verdict BodyPairs::verdict(const Pose& pose) const {
-  const bool overlap = radial_ && radial_->impinged(pose);
+BodyPairs::Verdict BodyPairs::verdict(const Pose& pose, bool radii) const {
+  const bool overlap = radii && radial_ && radial_->impinged(pose);
   return first_of([&](const Pair& pair) {
     if (!radial_ || !is_main(pair)) return verdict(pair, pose);
     if (!overlap && main_only_) return beside_radii(pair, pose);
@@ -457,7 +469,8 @@ std::optional<BodyPairs::Nearest> BodyPairs::nearest_part(const Pose& pose) cons
   std::optional<Nearest> found;
   for (const Pair& pair : pairs_) {
     if (is_main(pair)) continue;
-    if (verdict(pair, pose).contact == Contact::yes) return Nearest{pair, 0.0, true};
+    const Contact contact = verdict(pair, pose).contact;
+    if (contact == Contact::yes) return Nearest{pair, 0.0, contact};
     double least = found ? found->distance_mm : HUGE_VAL;
     const SweptParts& ball = ball_[pair.ball]->faces();
     const SweptParts& socket = socket_[pair.socket]->faces();
@@ -474,7 +487,7 @@ std::optional<BodyPairs::Nearest> BodyPairs::nearest_part(const Pose& pose) cons
       return false;
     };
     any_pair(ball, socket, apart, measure);
-    if (std::isfinite(least) && (!found || least < found->distance_mm)) found = Nearest{pair, least, false};
+    if (std::isfinite(least) && (!found || least < found->distance_mm)) found = Nearest{pair, least, contact};
   }
   return found;
 }
@@ -485,13 +498,13 @@ bool BodyPairs::may_hold(const Body& ball, const Body& socket, const NearPoses& 
          ball.holds_of(socket, Reach(poses), in_ball(poses)) != Contact::no;
 }
 
-// Where radii of the main bones are clear: may one have come into the other through an opening? Of a socket
-// that is a sheet one point of each piece is asked about.
+// Where radii of the main bones are clear: may one have come into the other through an opening? None comes
+// into a socket that is a sheet.
 bool BodyPairs::may_have_come_in(const NearPoses& poses) const {
   const Body& ball = *ball_[0];
   const Body& socket = *socket_[0];
   if (!radial_) return (!ball.openings.empty() || !socket.openings.empty()) && may_hold(ball, socket, poses);
-  return is_open_bone(ball) && ball.holds_pieces(socket, Reach(poses), in_ball(poses)) != Contact::no;
+  return is_open_bone(ball) && ball.holds_of(socket, Reach(poses), in_ball(poses)) != Contact::no;
 }
 
 BodyPairs::Reach::Reach(const NearPoses& poses)

@@ -10,8 +10,8 @@
 //                    closed socket round the centre the bone is outside.)
 //   with openings    Whatever closes an opening is taken to lie in the box of its border. Of 16 rays, those
 //                    that pass such a box are left out. The point is inside if all others cross an odd number
-//                    of times, outside if none does; else it is not known. A turn is searched for contact
-//                    with these boxes too.
+//                    of times, outside if none does; else it is not known. Nor is it of what passes such a
+//                    box, with a vertex there or not. A turn is searched for contact with these boxes too.
 //   a sheet          such as a cropped acetabulum: it does not say where its bone ends behind. A mesh is a
 //                    sheet if it has an opening wider than a tenth of it. A flat opening, as where a shaft is
 //                    cut, makes no sheet if no side of its box has more than a tenth of the area of the faces
@@ -62,7 +62,8 @@ struct Opening {
   Eigen::Matrix3d axes;  // rotation to the frame of the box; the border spreads least along its first axis
   Eigen::AlignedBox3d box;
   double distance(const Vec3& x) const { return box.exteriorDistance((axes * x).eval()); }
-  /// How far a triangle is beside the box along one of its axes, mm; below 0 if it is not.
+  /// How far a triangle is beside the box along the best of the axes that may separate them, mm: no more
+  /// than their distance, and below 0 only if they meet.
   double beside(const Triangle& x) const;
 };
 
@@ -100,14 +101,15 @@ class BodyPairs {
   std::optional<Pair> without_inside() const;
   /// Does the ball's mesh end where its bone goes on?
   bool ball_ends() const { return !ball_is_whole_ && !ball_[0]->openings.empty(); }
-  /// Are any bodies in contact? Exact, for the ball's vertices as the pose rounds them.
-  Verdict verdict(const Pose& pose) const;
+  /// Are any bodies in contact? Exact, for the ball's vertices as the pose rounds them. Without `radii`,
+  /// radial overlap is passed over.
+  Verdict verdict(const Pose& pose, bool radii = true) const;
   /// Are any in contact, whatever radii say? For poses that a motion from a clear pose reaches.
   bool meet(const Pose& pose) const;
   struct Nearest {
     Pair pair;
     double distance_mm;  // of the surfaces, rounded down; 0 in contact
-    bool touch;          // are they in contact? Exact
+    Contact touch;       // are they in contact? Exact
   };
   /// The two bodies whose surfaces are nearest to each other (contact/part_distance.hpp), among pairs with at
   /// least one part; none where there is no part.

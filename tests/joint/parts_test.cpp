@@ -14,6 +14,7 @@
 #include "hip/hip.hpp"
 #include "hip/hip_presets.hpp"
 #include "hip/named_motion.hpp"
+#include "joint/document.hpp"
 #include "joint/gaps.hpp"
 #include "joint/limits.hpp"
 #include "joint/orient.hpp"
@@ -163,7 +164,7 @@ TEST(Parts, LeaveGapsAsTheyAre) {
       for (std::size_t i = expected.of(of).gap.size(); i < found.of(of).distance.size(); ++i)
         least = std::min(least, found.of(of).distance[i].upper_mm);
     }
-    EXPECT_FALSE(found.nearest_part.value().touch);
+    EXPECT_FALSE(found.nearest_part.value().touch.value());
     EXPECT_GT(found.nearest_part->distance_mm, 0.0);
     EXPECT_LE(found.nearest_part->distance_mm, least + 1e-9);
     asked.outputs = {Output::gaps};
@@ -235,6 +236,26 @@ TEST(Parts, InsideOtherBoneTouchIt) {
   Hip screw = make_hip({}, 1000);
   append_part(screw.socket, screw.socket_parts, "screw", sphere(2.0, 100));
   expect_inside(screw);
+}
+
+// A screw behind the faces of a part that is a sheet: what is nearest is told, and not that it does not
+// touch.
+TEST(Parts, OfWhichItIsNotKnownThatTheyTouch) {
+  Hip hip = make_hip({}, 1000);
+  const auto far = [](TriangleMesh mesh) {
+    for (Vec3& x : mesh.vertices) x += Vec3(500, 0, 0);
+    return mesh;
+  };
+  append_part(hip.ball, hip.ball_parts, "screw", far(sphere(0.5, 100, Vec3(0, 0, 7))));
+  append_part(hip.socket, hip.socket_parts, "sheet", far(test::inside_out(cup(10.0, 60.0, 400))));
+  Session session = session_of(std::move(hip), Vec3::Zero());
+  const TouchAnswer found = answer(session, TouchRequest{});
+  EXPECT_EQ(found.contact.state, Contact::unknown);
+  EXPECT_EQ(found.nearest_part.value().ball_part, "screw");
+  EXPECT_EQ(found.nearest_part->socket_part, "sheet");
+  EXPECT_FALSE(found.nearest_part->touch);
+  EXPECT_EQ(json_of(found)["nearest_part"]["touch"], nullptr);
+  EXPECT_NE(describe(found.nearest_part).find("whether one is inside is not known"), std::string::npos);
 }
 
 // The wall about a head, closed, as two files: its inner side, and all else. Neither holds the head.

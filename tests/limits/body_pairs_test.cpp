@@ -109,6 +109,15 @@ TriangleMesh speck(const Vec3& at) {
 
 const Vec3 kFar(60.0, 7.0, -3.0);  // of a part
 
+// A thin tetrahedron from its point, as long as `along`.
+TriangleMesh spike(const Vec3& point, const Vec3& along) {
+  const Vec3 across = 0.1 * along.unitOrthogonal();
+  const Vec3 aside = along.normalized().cross(across);
+  const Vec3 end = point + along;
+  return {{point, end + across, end - across + aside, end - across - aside},
+          {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+}
+
 // Shifts take bodies to each other that a turn alone never brings near.
 TEST(TheoremContact, MeetWhereCgalSays) {
   const Hips hips;
@@ -192,15 +201,10 @@ TEST(BodyPairs, ANeedleThroughAHoleIsInside) {
   const auto [a, b, c] = corners_of(bone, bone.faces[0]);
   const Vec3 middle = (a + b + c) / 3.0;
   const Vec3 out = area_vector(bone, bone.faces[0]).normalized();
-  const Vec3 across = 0.1 * out.unitOrthogonal();
-  const Vec3 aside = out.cross(across);
   bone.faces.erase(bone.faces.begin());
   for (const double depth : {4.0, -1.0, -20.0}) {
     for (std::size_t first = 0; first < 4; ++first) {
-      TriangleMesh needle{
-          {middle - depth * out, middle + (8.0 - depth) * out + across,
-           middle + (8.0 - depth) * out - across + aside, middle + (8.0 - depth) * out - across - aside},
-          {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+      TriangleMesh needle = spike(middle - depth * out, 8.0 * out);
       std::swap(needle.vertices[0], needle.vertices[first]);
       for (const bool of_ball : {true, false}) {
         const BodyPairs pairs(small_joint(), {{of_ball ? needle : bone}, {of_ball ? bone : needle}});
@@ -221,17 +225,56 @@ TEST(BodyPairs, ANeedleBeforeAHoleMayComeIn) {
   const auto [a, b, c] = corners_of(bone, bone.faces[0]);
   const Vec3 middle = (a + b + c) / 3.0;
   const Vec3 out = area_vector(bone, bone.faces[0]).normalized();
-  const Vec3 across = 0.1 * out.unitOrthogonal();
-  const Vec3 aside = out.cross(across);
   bone.faces.erase(bone.faces.begin());
-  const TriangleMesh needle{{middle + 0.5 * out, middle + 8.0 * out + across,
-                             middle + 8.0 * out - across + aside, middle + 8.0 * out - across - aside},
-                            {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+  const TriangleMesh needle = spike(middle + 0.5 * out, 7.5 * out);
   for (const bool of_ball : {true, false}) {
     const BodyPairs pairs(small_joint(), {{of_ball ? needle : bone}, {of_ball ? bone : needle}});
     EXPECT_EQ(verdict(pairs).contact, Contact::no);
     EXPECT_FALSE(pairs.may_meet({.shift_mm = 0.4}));
     EXPECT_TRUE(pairs.may_meet({.shift_mm = 0.8}));
+  }
+}
+
+// A needle through a bone with two holes is inside with none of its corners, and meets no surface. One that
+// only is in front of a hole, aslant, with no corner near, is outside.
+TEST(BodyPairs, ANeedleThroughTwoHolesIsNotKnownToBeOutside) {
+  TriangleMesh bone = sphere_at(10.0, 3, kFar);
+  const Vec3 out = area_vector(bone, bone.faces[0]).normalized();
+  std::erase_if(bone.faces, [&](const Face& face) {
+    return std::abs(area_vector(bone, face).normalized().dot(out)) > 1.0 - 1e-9;
+  });
+  ASSERT_EQ(bone.faces.size(), icosphere(1.0, 3).faces.size() - 2);
+  const Vec3 aslant = 30.0 * (out + out.unitOrthogonal()).normalized();
+  for (const bool of_ball : {true, false}) {
+    const auto pairs_with = [&](const TriangleMesh& other) {
+      return BodyPairs(small_joint(), {{of_ball ? other : bone}, {of_ball ? bone : other}});
+    };
+    const BodyPairs through = pairs_with(spike(kFar - 30.0 * out, 60.0 * out));
+    EXPECT_EQ(verdict(through).contact, Contact::unknown);
+    EXPECT_EQ(through.nearest_part({}).value().touch, Contact::unknown);
+    EXPECT_TRUE(through.may_meet({.turn = 1e-6}));
+    const BodyPairs before = pairs_with(spike(kFar + 15.0 * out - aslant, 2.0 * aslant));
+    EXPECT_EQ(verdict(before).contact, Contact::no);
+    EXPECT_FALSE(before.may_meet({.turn = 1e-6}));
+  }
+}
+
+// Of a main ball with a hole, whose radii are clear: a spike of the socket, which is a sheet, has its point
+// inside or in front of the hole.
+TEST(BodyPairs, ASpikeOfASheetComesIntoABallThroughItsHole) {
+  const TriangleMesh whole = icosphere(10.0, 3);
+  const auto lowest = std::ranges::min_element(
+      whole.faces, {}, [&](const Face& face) { return area_vector(whole, face).normalized().z(); });
+  const Vec3 out = area_vector(whole, *lowest).normalized();
+  for (const double depth : {4.0, -1.0}) {
+    TriangleMesh ball = whole;
+    ball.faces.erase(ball.faces.begin() + (lowest - whole.faces.begin()));
+    const TriangleMesh socket = test::joined(cup(14.0, 60.0, 100), spike((10.0 - depth) * out, 12.0 * out));
+    const BodyPairs pairs({ball, socket}, {});
+    ASSERT_TRUE(pairs.has_radial());
+    EXPECT_EQ(verdict(pairs).contact, depth > 0.0 ? Contact::yes : Contact::no);
+    EXPECT_EQ(verdict(pairs).rule, depth > 0.0 ? ContactRule::inside : verdict(pairs).rule);
+    EXPECT_EQ(pairs.may_meet({.turn = 1e-6}, true).has_value(), depth > 0.0);
   }
 }
 
@@ -695,8 +738,8 @@ TEST(BodyPairs, AreNearestInClosedForm) {
       }
     }
     const BodyPairs::Nearest found = pairs.nearest_part(pose).value();
-    EXPECT_EQ(found.touch, pairs.meet(pose));
-    if (found.touch) continue;
+    EXPECT_EQ(found.touch == Contact::yes, pairs.meet(pose));
+    if (found.touch == Contact::yes) continue;
     EXPECT_GT(found.distance_mm, least - 1e-9);
     EXPECT_LT(found.distance_mm,
               least + 0.05);  // faces are inside of spheres of 6 and 4 mm by 0.026 and 0.017
@@ -821,11 +864,11 @@ TEST(BodyPairs, ThatTouchAreNearest) {
   const Vec3 turned = Eigen::AngleAxisd(0.6, Vec3::UnitZ()) * kFar;
   const BodyPairs pairs(small_joint(),
                         {{sphere_at(2.0, 1, kFar)}, {sphere_at(3.0, 1, turned), sphere_at(3.0, 1, turned)}});
-  EXPECT_FALSE(pairs.nearest_part({}).value().touch);
+  EXPECT_EQ(pairs.nearest_part({}).value().touch, Contact::no);
   for (const Vec3& off : {Vec3(0, 0, 0), Vec3(0, 0, 3)}) {
     const BodyPairs::Nearest found =
         pairs.nearest_part({Eigen::Matrix3d::Identity(), turned - kFar + off}).value();
-    EXPECT_TRUE(found.touch);
+    EXPECT_EQ(found.touch, Contact::yes);
     EXPECT_EQ(found.distance_mm, 0.0);
     EXPECT_EQ(found.pair.ball, 1U);
     EXPECT_EQ(found.pair.socket, 1U);
