@@ -37,11 +37,10 @@ CutMotion motion_of(const ClearanceProof& proof) {
 }
 
 // No surfaces meet: is nothing inside at the start of the motion? Radii that overlap at a sheet do not count
-// here.
+// here, and hide no other bodies.
 ClearanceProof::Says with_insides(const BodyPairs& bodies, const CutMotion& motion) {
-  const BodyPairs::Verdict found = bodies.verdict({motion.outer * motion.inner, motion.shift});
-  if (found.contact == Contact::no || (found.contact == Contact::yes && found.rule == ContactRule::radii))
-    return ClearanceProof::Says::clear;
+  const BodyPairs::Verdict found = bodies.verdict({motion.outer * motion.inner, motion.shift}, false);
+  if (found.contact == Contact::no) return ClearanceProof::Says::clear;
   const bool proven = found.contact == Contact::yes && found.closed;
   return proven ? ClearanceProof::Says::inside : ClearanceProof::Says::unknown;
 }

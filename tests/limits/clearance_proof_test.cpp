@@ -205,6 +205,25 @@ TEST(ClearanceProof, IsUnknownWhereAnOpeningHidesWhatIsInside) {
   EXPECT_EQ(prove_pose({all, bodies, Vec3::Zero()}, {}).says, Says::unknown);
 }
 
+// A head behind a socket that is a sheet overlaps it by radii alone, which hides no part that is inside other
+// bone, or may be, nor a socket inside a closed head.
+TEST(ClearanceProof, LooksAtPartsWhereRadiiOverlap) {
+  const Pose behind{Eigen::Matrix3d::Identity(), Vec3(0, 0, 20)};
+  const TriangleMesh speck = test::moved(octahedron(0.1), Vec3(60.3, 0.2, 7.0) - behind.translation);
+  const TriangleMesh sheet = test::moved(test::inside_out(cup(10.0, 60.0, 400)), Vec3(60, 0, 0));
+  const auto said = [&](const TriangleMesh& head, const TriangleMesh& part, const Pose& pose) {
+    const BallSocketPair main{head, cup(8.0, 60.0, 100)};
+    const BodyPairs bodies(main, {{speck}, {part}});
+    EXPECT_EQ(bodies.verdict(pose).contact, Contact::yes);
+    const BallSocketPair all{test::joined(main.ball, speck), test::joined(main.socket, part)};
+    return prove_pose({all, bodies, Vec3::Zero()}, pose).says;
+  };
+  EXPECT_EQ(said(octahedron(5.0), sphere(2.0, 200, Vec3(90, 0, 0)), behind), Says::clear);
+  EXPECT_EQ(said(octahedron(5.0), sheet, behind), Says::unknown);
+  EXPECT_EQ(said(octahedron(5.0), sphere(10.0, 200, Vec3(60, 0, 0)), behind), Says::inside);
+  EXPECT_EQ(said(icosphere(20.0, 2), sphere(2.0, 200, Vec3(90, 0, 0)), {}), Says::inside);
+}
+
 TEST(ClearanceProof, AgreesWithTheSolidAngle) {
   test::Dice random(4);
   const TriangleMesh femur = hip().ball;
