@@ -40,8 +40,8 @@ QuestionCommand certify_question() {
       "A proof that a pose or motion is free of contact, or that bones touch, which others can check without "
       "this program.",
       "femur.ply pelvis.ply --side right --motion flexion --out proof", &told);
-  made.without = {"--keep", "--overlap",
-                  "--ignore-rest-contact"};  // a certificate is about the meshes as they lie in their files
+  // A certificate is about the meshes as they lie in their files.
+  made.without.insert(made.without.end(), {"--keep", "--overlap", "--ignore-rest-contact"});
   return made;
 }
 

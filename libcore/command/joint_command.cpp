@@ -54,8 +54,12 @@ Told ask(const JointCommand& command, const JointOptions& options, const Work& w
   Stopwatch watch;
   const QuestionCommand& question = command.question;
   // As if no joint had been before it; the scan's own thickness is found once the joint is there.
-  question.use_cartilage(options.cartilage_of_scan ? 0.0 : options.cartilage_mm);
+  if (question.use_cartilage) question.use_cartilage(options.cartilage_of_scan ? 0.0 : options.cartilage_mm);
   Session session = load_joint(options, question.scan_contact());
+  if ((options.cartilage_mm || options.cartilage_of_scan) && !question.uses_cartilage())
+    session.joint->joint.warnings.emplace_back(
+        "the thickness of cartilage is left out: this answer is about bones alone; gaps, limits, report and "
+        "the areas of poses use it");
   std::string said = describe_joint(options, session.joint->joint);
   if (options.cartilage_of_scan) {
     const double thickness = cartilage_of_scan(*session.joint, "--cartilage scan");

@@ -82,6 +82,8 @@ void use_description(const CLI::App& command, const JointDescription& said, Join
     if (option != nullptr && option->count() == 0)
       field.of(static_cast<JointDescription&>(options)) = field.of(said);
   });
+  // Kept also where the command has no option for it, so that it can say so.
+  if (command.get_option_no_throw("--cartilage") == nullptr) options.cartilage_mm = said.cartilage_mm;
 }
 
 std::function<void()> add_joint_options(CLI::App& command, JointOptions& options) {
@@ -117,8 +119,9 @@ std::function<void()> add_joint_options(CLI::App& command, JointOptions& options
       "points of 3D Slicer (.mrk.json, .fcsv, its table), or a CSV label,x,y,z, that give the frames of "
       "pelvis and femur");
   read("--cartilage", "MM|scan|FILE",
-       "thickness of both layers together in mm; scan: the smallest gap as scanned; FILE: a CSV of "
-       "x,y,z,thickness_mm [none for limits, else 4]",
+       "thickness of both layers together in mm, for gaps, limits, report and the areas of poses; scan: the "
+       "smallest gap as scanned; FILE: a CSV of x,y,z,thickness_mm, for gaps and report [none for limits, "
+       "else 4]",
        [](Text text, const char* /*name*/, JointOptions& of) { set_cartilage(text, of); });
   read("--keep", "all|largest", "of each file all pieces, or the largest alone [all]",
        [](Text word, const char* name, JointOptions& of) {

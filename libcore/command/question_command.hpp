@@ -90,7 +90,9 @@ struct QuestionCommand {
   std::vector<const char*> without{};            // options of the joint that it does not take
   bool takes_map = false;                        // does it take a map of the cartilage?
   bool writes_meshes = false;                    // does it write meshes in a format that can be chosen?
-  std::function<void(std::optional<double> cartilage_mm)> use_cartilage{};  // none: the request's own
+  std::function<void(std::optional<double> cartilage_mm)>
+      use_cartilage{};  // of none the request's own; left out by questions about bones alone
+  std::function<bool()> uses_cartilage{};              // does what is asked depend on it?
   std::function<ScanContactOptions()> scan_contact{};  // which contact as scanned deserves a warning
   std::function<void()> check{};    // throws std::invalid_argument if options exclude each other
   std::function<Json()> request{};  // the request as JSON
@@ -130,11 +132,16 @@ QuestionCommand question_of(std::string name, std::string text, std::string exam
   const auto request = std::make_shared<Request>();
   QuestionCommand made{.name = std::move(name), .text = std::move(text), .example = std::move(example)};
   made.add_options = [request](CLI::App& command) { add_request(command, *request); };
-  made.use_cartilage = [request](std::optional<double> cartilage_mm) {
-    if constexpr (requires { request->cartilage_mm; }) {
+  if constexpr (requires { request->cartilage_mm; })
+    made.use_cartilage = [request](std::optional<double> cartilage_mm) {
       request->cartilage_mm = Request().cartilage_mm;
       if (cartilage_mm) request->cartilage_mm = *cartilage_mm;
-    }
+    };
+  else
+    made.without.push_back("--cartilage");
+  made.uses_cartilage = [request] {
+    if constexpr (requires { request->uses_cartilage(); }) return request->uses_cartilage();
+    return requires { request->cartilage_mm; };
   };
   made.scan_contact = [request] { return scan_contact_of(*request); };
   made.check = [request] {

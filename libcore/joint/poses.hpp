@@ -42,6 +42,7 @@ struct PosesRequest {
             kNotNegative}};
   /// Throws std::invalid_argument for options that exclude each other.
   void check() const;
+  bool uses_cartilage() const { return asks(PosesOutput::areas); }
   bool asks(PosesOutput output) const { return std::ranges::count(outputs, output) > 0; }
 };
 

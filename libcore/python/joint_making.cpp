@@ -350,7 +350,8 @@ void bind_making(JointClass& joint) {
       "point; centre: (x, y, z), fitted to the ball where it is not given; "
       "landmarks: marked points, of a file or a dict, which give the frames; keep: all, or of each mesh "
       "the largest piece; overlap_mm: along a ray, that is no contact; ball_part, socket_part: bone beside "
-      "them, as files or a dict of names; cartilage_map: its thickness by place, a file or an array (n, 4); "
+      "them, as files or a dict of names; cartilage_map: its thickness by place, a file or an array (n, 4), "
+      "which gaps and report use alone; "
       "ignore_rest_contact: with the least overlap_mm that leaves no contact as scanned.");
   def_making<MeshArrays>(joint, "from_arrays", py::str("RAS"),
                          "The same of two pairs of vertices (n, 3) in mm and faces (m, 3).");

@@ -126,6 +126,23 @@ TEST_F(ProgramOnAHip, PrintsTheDocumentThatItWrites) {
   EXPECT_EQ(Json::parse(test::run("touch --schema").out)["required"], keys);
 }
 
+// A thickness of cartilage that changes no answer is not passed over in silence; as an option it is refused
+// (tests/e2e/bad_options.py).
+TEST_F(ProgramOnAHip, SaysThatBonesAloneWereUsed) {
+  const fs::path config = folder_.write("joint.json", R"({"side": "right", "cartilage_mm": 3})");
+  const auto warned = [&](const std::string& line) {
+    const std::string text =
+        test::document_of(line + " --config " + config.string())["joint"]["warnings"].dump();
+    return has(text, "the thickness of cartilage is left out: this answer is about bones alone");
+  };
+  EXPECT_TRUE(warned("touch " + meshes()));
+  EXPECT_TRUE(warned("measure " + meshes()));
+  EXPECT_TRUE(warned("poses " + meshes() + " --path flexion=0"));
+  EXPECT_FALSE(warned("poses " + meshes() + " --path flexion=0 --outputs areas"));
+  EXPECT_FALSE(warned("gaps " + meshes() + " --outputs gaps"));
+  EXPECT_FALSE(warned("limits " + meshes() + " --motions flexion"));
+}
+
 TEST_F(ProgramOnAHip, SaysWhichFilesAreOfAnEarlierCommand) {
   const std::string rest = meshes() + " --side right --outputs gaps --out " + out_.string();
   for (int k = 0; k < 2; ++k) EXPECT_FALSE(has(test::run("gaps " + rest).log, "earlier")) << k;

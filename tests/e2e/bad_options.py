@@ -68,13 +68,16 @@ REFUSED = {
     "--width: is no option of impinge touch, but of impinge volume and impinge report": ["touch --width 0.1"],
     "{option}: is empty; give it a value or leave it out": [f"gaps {option} ''" for option in ("--ball-part", "--side", "--precision", "--outputs")],
     "--side: there is no 'up and [2J away'; there are left, right": ["touch --side 'up\nand\x1b[2J away'"],
+    "--cartilage: is no option of impinge {command}, but of impinge gaps and impinge poses and impinge limits and impinge report": [
+        f"{command} --cartilage 2" for command in ("touch", "volume", "resect", "orient", "measure", "certify")
+    ],
     "--colour red: is no option of impinge touch": ["touch '--colour\nred'"],
 }
 
 
 def said(message: str, words: list[str]) -> str:
     """With what the braces stand for."""
-    message = message.replace("{last}", words[-1]).replace("{option}", words[-2] if len(words) > 1 else "")
+    message = message.replace("{command}", words[0]).replace("{last}", words[-1]).replace("{option}", words[-2] if len(words) > 1 else "")
     return message + (" See" if message.endswith("?") else "; see") + f" impinge {words[0]} --help"
 
 

@@ -45,7 +45,7 @@ class SmallestGap(TypedDict):
 
 class NearestPart(TypedDict):
     distance_mm: float  # of their surfaces; 0 in contact (mm)
-    touch: bool  # do they?
+    touch: bool | None  # do they? null where only an opening of a mesh could tell
     ball_part: str | None  # part of the ball's bone; null: its main surface
     socket_part: str | None  # part of the socket's bone; null: its main surface
 
@@ -433,7 +433,8 @@ class Joint:
         counted. keep: "all", or "largest", of each mesh the piece of the largest area alone. overlap_mm: to this depth
         along a ray the surfaces may overlap; the ball is taken so much smaller. ignore_rest_contact: by the least tenth of
         a millimetre with which nothing touches as scanned (Joint.summary["overlap_mm"] has it). ball_part, socket_part: other
-        bone, or an implant, in the same frame. cartilage_map: its thickness by place, a CSV x,y,z,thickness_mm or (n, 4), mm."""
+        bone, or an implant, in the same frame. cartilage_map: its thickness by place, a CSV x,y,z,thickness_mm or (n, 4), mm, which
+        gaps and report use alone."""
     @staticmethod
     def from_arrays(
         ball: Mesh,
