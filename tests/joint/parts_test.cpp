@@ -248,7 +248,7 @@ TEST(Parts, OfWhichItIsNotKnownThatTheyTouch) {
   };
   append_part(hip.ball, hip.ball_parts, "screw", far(sphere(0.5, 100, Vec3(0, 0, 7))));
   append_part(hip.socket, hip.socket_parts, "sheet", far(test::inside_out(cup(10.0, 60.0, 400))));
-  Session session = session_of(std::move(hip), Vec3::Zero());
+  Session session = session_of(std::move(hip), std::optional(Vec3(0.0, 0.0, 0.0)));
   const TouchAnswer found = answer(session, TouchRequest{});
   EXPECT_EQ(found.contact.state, Contact::unknown);
   EXPECT_EQ(found.nearest_part.value().ball_part, "screw");
