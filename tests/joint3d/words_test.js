@@ -10,8 +10,29 @@ const { pageModules } = require('./page_modules.js');
 let words;
 
 before(async () => {
-  words = await pageModules('elements', 'files_panel', 'joint_words', 'limits_panel', 'measures_panel', 'mesh_files', 'messages', 'names', 'pose_words', 'proof', 'session_file', 'slow_worker', 'state', 'sweep_panel');
+  words = await pageModules('cut_panel', 'elements', 'engine_client', 'files_panel', 'joint_words', 'limits_panel', 'measures_panel', 'mesh_files', 'messages', 'names', 'pose_words', 'proof', 'session_file', 'slow_worker', 'state', 'sweep_panel', 'volume_panel');
 });
+
+/** What a panel writes into, by id, in place of a document. */
+function fakePage() {
+  const element = (name) => ({ name, textContent: '', attributes: {}, children: [], listeners: {}, classes: new Set(), disabled: false,
+    get classList() { return { add: (each) => this.classes.add(each), remove: (each) => this.classes.delete(each) }; },
+    setAttribute(key, value) { this.attributes[key] = String(value); },
+    addEventListener(kind, act) { this.listeners[kind] = act; },
+    getBoundingClientRect: () => ({ left: 0, width: 320 }),
+    append(...parts) { this.children.push(...parts); },
+    replaceChildren(...parts) { this.children = parts; this.textContent = parts.map((part) => part.textContent).join(' '); } });
+  const shown = {};
+  globalThis.document = { getElementById: (id) => (shown[id] ??= element(id)), createElement: element, createElementNS: (_, name) => element(name) };
+  return shown;
+}
+
+/** Questions that are answered when a test says so: ask(request), and asked with { request, answer(reply), refuse(error) }. */
+function heldQuestions() {
+  const asked = [];
+  return { asked, ask: (request) => new Promise((answer, refuse) => asked.push({ request, answer, refuse })) };
+}
+const soon = (ms = 0) => new Promise((done) => setTimeout(done, ms));
 
 const LIMIT = {
   motion: 'fadir', centre: 'ball', threshold_mm: 0, state: 'limited', low_deg: 53.56789, high_deg: 53.56791, clock: '1:20',
@@ -64,6 +85,95 @@ test('proven gaps and bounds are rounded outward', () => {
     smallest_gap_between_mm: [-0.0704, 0.0512] });
   assert.equal(shown['smallest-proven'].textContent, '−0.071 to 0.052 mm');
   assert.deepEqual(['bound', 'bound-half'].map((id) => shown[id].textContent), ['± 1.24 mm', '± 12.4 µm']);
+});
+
+test('what is proven of one pose does not stand beside another', async () => {
+  const shown = fakePage();
+  const { asked, ask } = heldQuestions();
+  const proof = new words.Proof(ask, assert.fail);
+  const verdicts = (low) => ({ clear: 5, impinged: 0, undecided: 0, vertices_without_bound: 0, vertices_measured_on_the_faces: 1, largest_mm: 1, median_mm: 1, smallest_gap_between_mm: [low, low] });
+  const pose = (flexion) => ({ pose: { flexion }, translation: [0, 0, 0] });
+  const proven = () => ['smallest-proven', 'bound-half', 'undecided', 'bound'].map((id) => shown[id].textContent);
+  proof.forget();
+  proof.begin(pose(10));
+  asked[0].answer(verdicts(3));
+  await soon();
+  assert.deepEqual(proven(), ['3.000 mm', '± 1.00 mm', '0', '± 1.00 mm']);
+  proof.posed(pose(10)); // other colours: the same pose
+  assert.equal(shown['smallest-proven'].textContent, '3.000 mm');
+  asked[1].answer(verdicts(3));
+  await soon();
+  proof.posed(pose(20));
+  assert.deepEqual(proven(), ['–', '–', '–', 'proving … 0 s']);
+  proof.posed(pose(30));
+  asked[2].answer(verdicts(2)); // of 20 degrees
+  await soon();
+  assert.deepEqual(proven(), ['–', '–', '–', 'proving … 0 s']);
+  asked[3].answer(verdicts(1));
+  await soon();
+  assert.equal(shown['smallest-proven'].textContent, '1.000 mm');
+});
+
+test('a sweep goes with its own motion, and nothing is left of it when another is asked for', async () => {
+  const shown = fakePage();
+  const { asked, ask } = heldQuestions();
+  const app = { state: words.firstState() };
+  const poses = [];
+  const panel = new words.SweepPanel(app, ask, (pose) => poses.push(pose));
+  const start = { flexion: 0, abduction: 0, internal_rotation: 0 };
+  panel.setCatalogue({ motions: [{ name: 'flexion', growing: 'flexion', meaning: '', start }, { name: 'abduction', growing: 'abduction', meaning: '', start }] });
+  const found = (low) => ({ angles: [0, 50, 100], smallest: [3, NaN, 1], limits: [{ ...LIMIT, low_deg: low }] });
+  panel.again(0);
+  await soon(5);
+  asked[0].answer(found(90));
+  await soon();
+  assert.equal(shown['sweep-go'].disabled, false);
+  assert.match(shown['sweep-say'].textContent, /first touch between 90/);
+  app.state.sweep = 'abduction';
+  shown['sweep-go'].listeners.click(); // before another is asked for: along the motion that was swept
+  assert.deepEqual(poses, [{ ...start, flexion: 90 }]);
+  panel.again(5);
+  assert.deepEqual([shown['sweep-go'].disabled, shown['sweep-say'].textContent], [true, 'Working …']);
+  shown['sweep-go'].listeners.click();
+  shown['sweep-plot'].listeners.click({ clientX: 160 });
+  panel.posed();
+  assert.equal(poses.length, 1);
+  await soon(10);
+  panel.again(1000); // what is under way is of what was before
+  asked[1].answer(found(40));
+  await soon();
+  assert.equal(shown['sweep-say'].textContent, 'Working …');
+  assert.ok(shown['sweep-plot'].classes.has('old'));
+  clearTimeout(panel.timer);
+  panel.run();
+  asked[2].refuse(new words.Told('no such motion'));
+  await soon();
+  assert.equal(shown['sweep-say'].textContent, 'no such motion');
+  shown['sweep-plot'].listeners.click({ clientX: 160 });
+  assert.equal(poses.length, 1);
+});
+
+test('what makes limits too large is said as the program says it', () => {
+  const { missingWords } = words;
+  assert.equal(missingWords([]), '');
+  assert.equal(missingWords([{ ball_cut_mm: null, rim_in_head_mm: null }]), '');
+  assert.match(missingWords([{ ball_cut_mm: 45.04, rim_in_head_mm: null }]), /^The ball’s bone is cut off 45\.0 mm from the centre, through its neck: .* limits may be too large; give the whole bone\.$/);
+  assert.equal(missingWords([{ ball_cut_mm: null, rim_in_head_mm: 1.21 }]), 'The rim lies in the head as scanned, up to 1.3 mm deep: there it meets the neck late, or not at all.');
+});
+
+test('a required motion is reached where it is known to be', () => {
+  const of = (state, low) => words.reached({ state, low_deg: low }, 30);
+  assert.deepEqual([of('free', 30), of('limited', 45.67), of('limited', 12.34), of('unknown', 30), of('unknown', 12.34), of('blocked', 0)],
+    ['yes', 'yes, to 45.6°', '12.3°', 'yes', 'not before 12.3°', 'no']);
+});
+
+test('a range of rotation is that of the middle of a square of the map', () => {
+  const map = { range_deg: [10, -1, -2, 44.9], step: 5, flexion: [85, 95], abduction: [-5, 5] };
+  const at = (flexion, abduction) => words.squareWords(words.squareAt(map, { flexion, abduction }));
+  assert.equal(at(95, 3), 'In the middle of this pose’s square, at flexion 92.5° and abduction 2.5°, 44° of rotation are without contact, internal and external together.');
+  assert.match(at(90, -5), /at flexion 92\.5° and abduction −2\.5°, it is undecided/);
+  assert.match(at(86, 1), /at flexion 87\.5° and abduction 2\.5°, the hip is blocked/);
+  assert.equal(at(96, 0), 'This pose is outside of the map.');
 });
 
 test('a fault is told in words of the page, not of JavaScript', async () => {

@@ -5,10 +5,10 @@ import { byId, legWords, make, oneOfButtons, roundedDown, roundedUp } from "./el
 
 const ends = ([low, high], places, unit) => `${roundedDown(low, places)} to ${roundedUp(high, places)} ${unit}`;
 
-/** A limit of a part of a required path; required: how far, degrees. */
-function reached({ state, low_deg: low }, required) {
-  if (state === "limited" && low < required) return `${roundedDown(low, 1)}°`;
-  return state === "limited" ? `yes, to ${roundedDown(low, 1)}°` : state === "blocked" ? "no" : "yes";
+/** A limit of a part of a required path; required: how far, degrees. Of an unknown one nothing is known beyond its low end. */
+export function reached({ state, low_deg: low }, required) {
+  if (state === "free" || low >= required) return state === "limited" ? `yes, to ${roundedDown(low, 1)}°` : "yes";
+  return state === "blocked" ? "no" : `${state === "limited" ? "" : "not before "}${roundedDown(low, 1)}°`;
 }
 
 export class CutPanel extends ChangePanel {

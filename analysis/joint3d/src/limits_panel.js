@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The limits of all named motions in one table, row by row, in the slow worker: bone about both centres, and cartilage.
-import { byId, make, roundedDown, roundedUp } from "./elements.js";
+import { byId, make, put, roundedDown, roundedUp } from "./elements.js";
 import { motionLabel } from "./names.js";
 
 const WAIT = 350; // ms of rest before they are worked out again
@@ -18,6 +18,13 @@ function shortly({ state, low_deg: low, high_deg: high, clock, what }) {
   };
   const [text, title] = words[state];
   return [text, [title, what].filter(Boolean).join("; ")];
+}
+
+/** What of the meshes makes limits too large, as the program says it; the library's replies to `limits`, of which all say the same. */
+export function missingWords([{ ball_cut_mm: cut, rim_in_head_mm: deep } = {}]) {
+  return [cut && `The ball’s bone is cut off ${cut.toFixed(1)} mm from the centre, through its neck: what is missing beyond, of a femur trochanters and shaft, stops no motion, `
+    + "so that limits may be too large; give the whole bone.",
+  deep && `The rim lies in the head as scanned, up to ${roundedUp(deep, 1)} mm deep: there it meets the neck late, or not at all.`].filter(Boolean).join(" ");
 }
 
 /** limits.csv of [{ limits }], as the library told them; joint: its name; shift: of the ball, in words, or nothing. */
@@ -91,9 +98,9 @@ export class LimitsPanel {
     this.write();
     for (const motion of this.motions.slice(this.rows.length)) {
       try {
-        const { limits } = await this.ask({ ...shape, motions: [motion.name] });
+        const found = await this.ask({ ...shape, motions: [motion.name] });
         if (mine !== this.run) return;
-        this.rows.push({ motion, limits });
+        this.rows.push({ motion, ...found });
         this.write();
       } catch (error) {
         if (mine === this.run) this.fault(error);
@@ -121,6 +128,7 @@ export class LimitsPanel {
       const cells = limits ? COLUMNS.map((column) => this.cell(motion, of(column))) : [make("td", { colSpan: 3, textContent: k === done && this.of && !this.halted ? "…" : "" })];
       return make("tr", {}, make("th", { scope: "row" }, motionLabel(motion), ...(limits?.[0].meets ? [make("span", { className: "clock", textContent: limits[0].meets })] : [])), ...cells);
     }));
+    put("limits-missing", missingWords(this.rows));
     byId("save-limits").disabled = !this.motions || !this.complete();
     const going = Boolean(this.of) && !this.complete();
     byId("limits-work").hidden = !going;

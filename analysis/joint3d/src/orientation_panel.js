@@ -97,6 +97,6 @@ export class OrientationPanel extends ChangePanel {
     const there = STATES.filter((_, state) => [area.free, area.blocked, area.unknown, area.open][state] > 0);
     byId("orientation-key").replaceChildren(`the ring is the socket as scanned; ${nearestWords(this.found)}`, ...there.map(([text, colour]) => keyRow({ colours: [colour], text })));
     this.say(`As it is, at inclination ${now.inclination_deg.toFixed(1)}° and anteversion ${now.anteversion_deg.toFixed(1)}°: `
-      + `${now.state === "open" ? "undecided" : now.state}. Free are ${roundedDown(area.free, 0)} to ${roundedUp(area.free + area.open, 0)} of ${map.width_deg ** 2} square degrees.${turnWords(this.found)}`);
+      + `${now.state === "open" ? "undecided" : now.state}. Free are ${roundedDown(area.free, 0)} to ${roundedUp(area.free + area.open, 0)} of ${map.width_deg ** 2} square degrees, ${area.unknown.toFixed(1)} unknown.${turnWords(this.found)}`);
   }
 }

@@ -25,7 +25,7 @@ export class Poses {
   }
 
   request() {
-    return { pose: this.app.state.motion, ...this.shape() };
+    return { pose: { ...this.app.state.motion }, ...this.shape() };
   }
 
   again() {

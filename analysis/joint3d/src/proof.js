@@ -18,10 +18,13 @@ export class Proof {
   /** ask(request): the library's reply to `verdicts`; fault(error). */
   constructor(ask, fault) {
     this.bounded = false;
-    this.asking = newestOnly(ask, (found, _, { translation }) => {
-      if (this.bounded && String(translation) === this.shift) this.show(found); // not of the shift before
+    this.asking = newestOnly(ask, (found, _, request) => {
+      if (!this.bounded || JSON.stringify(request) !== this.wanted) return; // of a pose before
+      this.shown = this.wanted;
+      this.show(found);
     }, (error) => {
       clearInterval(this.clock);
+      put("bound", "–");
       fault(error);
     });
   }
@@ -33,6 +36,7 @@ export class Proof {
   }
 
   unknown() {
+    this.shown = null;
     ["undecided", "smallest-proven", "bound-half"].forEach((id) => put(id, "–"));
     byId("bound-why").hidden = true;
     this.wait(Date.now());
@@ -49,15 +53,13 @@ export class Proof {
   /** The tables are bounded; request: the pose at hand. */
   begin(request) {
     this.bounded = true;
-    this.shift = String(request.translation);
     this.posed(request);
   }
 
   posed(request) {
     if (!this.bounded) return;
-    const shift = String(request.translation); // from another place the tables are others
-    if (shift !== this.shift) this.unknown();
-    this.shift = shift;
+    this.wanted = JSON.stringify(request);
+    if (this.shown && this.shown !== this.wanted) this.unknown(); // what stands there is of another pose
     this.asking(request);
   }
 

@@ -105,21 +105,21 @@ export class SweepPanel {
     byId("sweep-held").checked = this.app.state.held;
   }
 
-  /** Of another joint: what is shown no longer holds. */
+  /** Of another joint, of which it is then asked again: not even the curve holds. */
   forget() {
-    this.asked += 1; // an answer that is under way is of the joint before
-    this.sweep = null;
     byId("sweep-plot").replaceChildren();
-    byId("sweep-say").textContent = "Working …";
-    byId("sweep-go").disabled = true;
   }
 
-  /** Sweeps again after a rest; what is shown is then of the joint before. */
+  /** Sweeps again after a rest; until then the curve before stays, faintly, and nothing can be done with it. */
   again(wait = WAIT) {
     clearTimeout(this.timer);
+    this.asked += 1; // an answer that is under way is of what was before
+    this.sweep = null;
     this.wanted = this.question();
     this.timer = setTimeout(() => this.run(), wait);
     byId("sweep-plot").classList.add("old");
+    byId("sweep-say").textContent = "Working …";
+    byId("sweep-go").disabled = true;
   }
 
   /** All that the curve and the limits depend on. */
@@ -136,10 +136,11 @@ export class SweepPanel {
 
   async run() {
     const mine = (this.asked += 1);
+    const along = { ...this.motion(), start: this.start() };
     try {
-      const sweep = await this.ask({ motions: [this.motion().name], pose: this.start(), largest_deg: LARGEST });
+      const sweep = await this.ask({ motions: [along.name], pose: along.start, largest_deg: LARGEST });
       if (mine !== this.asked) return;
-      this.sweep = sweep;
+      this.sweep = { ...sweep, along };
       byId("sweep-plot").classList.remove("old");
       this.draw();
       this.say();
@@ -156,8 +157,8 @@ export class SweepPanel {
 
   /** The angle of the pose along the motion, or null where another angle is not as in it. */
   at() {
-    const [angle, sign] = this.growing();
-    const start = this.start();
+    const { growing, start } = this.sweep.along;
+    const [angle, sign] = TURNS[growing];
     const { motion } = this.app.state;
     const same = Object.keys(start).every((key) => key === angle || Math.abs(start[key] - motion[key]) < 1e-6);
     return same ? sign * (motion[angle] - start[angle]) : null;
@@ -165,11 +166,11 @@ export class SweepPanel {
 
   draw() {
     if (!this.sweep) return;
-    const look = { title: this.motion().growing.replace("_", " "), cartilage: this.app.state.cartilage, at: this.at() };
+    const look = { title: this.sweep.along.growing.replace("_", " "), cartilage: this.app.state.cartilage, at: this.at() };
     this.angleAt = drawSweep(byId("sweep-plot"), this.sweep, look);
   }
 
   goTo(degrees) {
-    this.onPose(poseAlong({ ...this.motion(), start: this.start() }, degrees));
+    this.onPose(poseAlong(this.sweep.along, degrees));
   }
 }

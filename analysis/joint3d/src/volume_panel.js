@@ -22,16 +22,18 @@ export function mapColour(range) {
   return `rgb(${Math.trunc(light / 3)},${light},235)`;
 }
 
-/** What the library found at a flexion and an abduction; undefined beside the map. */
-function rangeAt({ range_deg: ranges, step, flexion, abduction }, motion) {
+/** What the library found in the middle of the square that holds a flexion and an abduction: { range, middle }; range is undefined beside the map. */
+export function squareAt({ range_deg: ranges, step, flexion, abduction }, motion) {
   const [column, row] = [[flexion, motion.flexion], [abduction, motion.abduction]].map(([[least, most], angle]) =>
     (angle < least || angle > most ? NaN : Math.floor((Math.min(angle, most - step / 2) - least) / step)));
-  return ranges[column * ((abduction[1] - abduction[0]) / step) + row];
+  const middle = [flexion[0] + (column + 0.5) * step, abduction[0] + (row + 0.5) * step];
+  return { range: ranges[column * ((abduction[1] - abduction[0]) / step) + row], middle };
 }
 
-function wordsOf(range) {
+export function squareWords({ range, middle }) {
   if (range === undefined) return "This pose is outside of the map.";
-  const there = "At the flexion and abduction of this pose";
+  const [flexion, abduction] = middle.map((angle) => `${String(angle).replace("-", "−")}°`);
+  const there = `In the middle of this pose’s square, at flexion ${flexion} and abduction ${abduction},`;
   if (range === BLOCKED) return `${there} the hip is blocked without rotation.`;
   if (range === UNDECIDED) return `${there} it is undecided whether the hip is free without rotation.`;
   return `${there} ${roundedDown(range, 0)}° of rotation are without contact, internal and external together.`;
@@ -83,11 +85,11 @@ export class VolumePanel extends ApartPanel {
   posed() {
     if (!this.found) return;
     const { motion, offset } = this.app.state;
-    const range = rangeAt(this.found.map, motion);
+    const square = squareAt(this.found.map, motion);
     const [x, y] = this.at(motion);
-    this.mark.setAttribute("visibility", range === undefined ? "hidden" : "visible");
+    this.mark.setAttribute("visibility", square.range === undefined ? "hidden" : "visible");
     this.mark.setAttribute("cx", x);
     this.mark.setAttribute("cy", y);
-    byId("volume-here").textContent = wordsOf(range) + (offset.some(Boolean) ? " The volume is that of the joint without the shift of the ball." : "");
+    byId("volume-here").textContent = squareWords(square) + (offset.some(Boolean) ? " The volume is that of the joint without the shift of the ball." : "");
   }
 }
