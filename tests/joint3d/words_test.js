@@ -10,7 +10,7 @@ const { pageModules } = require('./page_modules.js');
 let words;
 
 before(async () => {
-  words = await pageModules('cut_panel', 'elements', 'engine_client', 'files_panel', 'joint_words', 'limits_panel', 'measures_panel', 'mesh_files', 'messages', 'names', 'pose_words', 'proof', 'session_file', 'slow_worker', 'state', 'sweep_panel', 'volume_panel');
+  words = await pageModules('cut_panel', 'elements', 'engine_client', 'files_panel', 'joint_words', 'limits_panel', 'making', 'measures_panel', 'mesh_files', 'messages', 'names', 'pose_words', 'poses', 'proof', 'session_file', 'slow_worker', 'state', 'sweep_panel', 'volume_panel');
 });
 
 /** What a panel writes into, by id, in place of a document. */
@@ -18,6 +18,7 @@ function fakePage() {
   const element = (name) => ({ name, textContent: '', attributes: {}, children: [], listeners: {}, classes: new Set(), disabled: false,
     get classList() { return { add: (each) => this.classes.add(each), remove: (each) => this.classes.delete(each) }; },
     setAttribute(key, value) { this.attributes[key] = String(value); },
+    getAttribute(key) { return this.attributes[key]; },
     addEventListener(kind, act) { this.listeners[kind] = act; },
     getBoundingClientRect: () => ({ left: 0, width: 320 }),
     append(...parts) { this.children.push(...parts); },
@@ -151,6 +152,51 @@ test('a sweep goes with its own motion, and nothing is left of it when another i
   assert.equal(shown['sweep-say'].textContent, 'no such motion');
   shown['sweep-plot'].listeners.click({ clientX: 160 });
   assert.equal(poses.length, 1);
+});
+
+test('tables are asked for once, and again where they went with a joint that was cancelled', async () => {
+  const shown = fakePage();
+  const { asked, ask } = heldQuestions();
+  const live = { ask: (kind, request) => ask([kind, request]), restart: () => asked.forEach(({ refuse }) => refuse(new words.Stale())) };
+  const told = [];
+  const make = words.maker(live, { onTables: (_, request) => told.push(request), onJoint: (_, { joint }) => told.push(joint), onRefused: (error, { joint }) => told.push([error.constructor, joint]) });
+  const kinds = () => asked.map(({ request: [kind, request] }) => [kind, request.precision_deg ?? request]);
+  const of = (precision) => ({ ...words.firstState().tables, precision_deg: precision });
+  make.tables(of(0.35)); // as the library has them at first
+  assert.equal(asked.length, 0);
+  make.joint({ request: 'cam', own: null, joint: 'a' });
+  asked[0].answer({});
+  make.tables(of(1));
+  await soon();
+  asked[1].answer({});
+  await soon();
+  make.tables(of(1));
+  make.joint({ request: 'own', own: {}, joint: 'b' });
+  make.tables(of(0.35)); // of a session with the tables that a page has at first
+  shown['stage-cancel'].listeners.click();
+  await soon();
+  asked.slice(4).forEach(({ answer }) => answer({}));
+  await soon();
+  assert.deepEqual(kinds(), [['joint', 'cam'], ['tables', 1], ['joint', 'own'], ['tables', 0.35], ['joint', 'cam'], ['tables', 1], ['tables', 0.35]]);
+  assert.deepEqual(told, ['a', of(1), [words.Stale, 'b'], of(0.35)]);
+  make.tables(of(2));
+  asked.at(-1).refuse(new words.Told('too fine'));
+  await soon();
+  assert.equal(shown['message-text'].textContent, 'too fine');
+  make.tables(of(2)); // refused before
+  assert.deepEqual(kinds().slice(-2), [['tables', 2], ['tables', 2]]);
+});
+
+test('a pose that went with a joint that was cancelled is asked for again', async () => {
+  const { asked, ask } = heldQuestions();
+  const app = { ready: true, state: words.firstState() };
+  const view = { parts: { fromJointFrame: () => ({ toArray: () => [0, 0, 0] }) } };
+  const poses = new words.Poses(app, view, { ask, onPose: assert.fail, fault: assert.fail });
+  poses.again();
+  app.state.motion.flexion = 30;
+  asked[0].refuse(new words.Stale());
+  await soon();
+  assert.deepEqual(asked.map(({ request }) => request.pose.flexion), [0, 30]);
 });
 
 test('what makes limits too large is said as the program says it', () => {

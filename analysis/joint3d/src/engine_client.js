@@ -3,7 +3,11 @@
 import { Told } from "./messages.js";
 
 /** The worker that was asked is gone, as a reader wanted. */
-class Stale extends Error {}
+export class Stale extends Told {
+  constructor() {
+    super("This went with the joint that was cancelled; ask for it again");
+  }
+}
 
 export class EngineClient {
   /** source: the text of the engine and its worker. onLost: called with a message when the worker itself fails. */
@@ -55,8 +59,8 @@ export class EngineClient {
 }
 
 /**
- * Of questions that come faster than answers: one under way, and the newest that waits. use(answer, ms, request), fail(error),
- * idle() when nothing waits.
+ * Of questions that come faster than answers: one under way, and the newest that waits. use(answer, ms, request),
+ * fail(error, request), also where it is Stale, idle() when nothing waits.
  */
 export function newestOnly(ask, use, fail, idle = () => {}) {
   let running = false;
@@ -68,7 +72,7 @@ export function newestOnly(ask, use, fail, idle = () => {}) {
       const answer = await ask(request);
       use(answer, performance.now() - asked, request);
     } catch (error) {
-      if (!(error instanceof Stale)) fail(error);
+      fail(error, request);
     }
     running = false;
     if (next) {

@@ -63,6 +63,7 @@ export class JointPanel {
 
   /** Brings the controls up to the state. A reader's own joint is one of the choice, and has no parameters. */
   show() {
+    clearTimeout(this.timer); // a change of what was there before
     const { joint } = this.app.state;
     const own = joint.name === OWN;
     const choice = byId("preset");

@@ -2,7 +2,7 @@
 // Joint3D: what the reader does becomes questions to the library, and its answers what the reader sees. Two workers run the
 // library: one answers poses at once, the other what takes longer.
 import { keepAddress } from "./address.js";
-import { EngineClient } from "./engine_client.js";
+import { EngineClient, Stale } from "./engine_client.js";
 import { CutPanel } from "./cut_panel.js";
 import { byId } from "./elements.js";
 import { ExportPanel } from "./export_panel.js";
@@ -53,6 +53,7 @@ function start() {
   const pose = () => poses.again();
   const make = maker(live, { onTables, onJoint, onRefused });
   let shown = null; // the joint at hand, as the library has it
+  let made = null; // and as it was asked for: { request, own, joint }, joint of the state
 
   const motion = motionPanel(app, pose);
   const moved = () => { motion(); pose(); };
@@ -78,7 +79,7 @@ function start() {
   const joints = new JointPanel(app, askJoint);
   const files = new FilesPanel((own) => {
     app.player.stop();
-    make.joint(ownRequest(own), own);
+    make.joint({ request: ownRequest(own), own, joint: { name: OWN, side: own.side, parameters: {} } });
   }, openSession, fault);
   const write = keepAddress(app, () => { frame(); begin(); });
   new ExportPanel(app, view, { write, fault, ask: (request) => live.ask("export", { ...request, pose: poses.request() }),
@@ -92,8 +93,8 @@ function start() {
 
   /** Asks for the joint that the state names. */
   function askJoint() {
-    if (app.state.joint.name === OWN) make.joint(ownRequest(app.own), app.own);
-    else make.joint(joints.request(), null);
+    const own = app.state.joint.name === OWN ? app.own : null;
+    make.joint({ request: own ? ownRequest(own) : joints.request(), own, joint: structuredClone(app.state.joint) });
   }
 
   function onBound(bound) {
@@ -116,27 +117,33 @@ function start() {
     follow({ tables: request });
   }
 
-  function onRefused(error) {
-    fault(error);
-    if (app.ready) return;
-    app.state.joint = firstState().joint; // a link that asks for no possible hip
+  /** The state is then again that of the joint at hand, unless a reader wants yet another by now. */
+  function onRefused(error, { joint }) {
+    if (!(error instanceof Stale)) fault(error);
+    if (made && JSON.stringify(app.state.joint) !== JSON.stringify(joint)) return;
+    app.state.joint = structuredClone(made?.joint ?? firstState().joint); // or a link asks for no possible hip
+    if (made?.own) app.own = made.own;
     joints.show();
-    askJoint();
+    if (!made) askJoint();
   }
 
   function takeOwn(own) {
     app.own = own;
-    app.state.joint = { name: OWN, side: own.side, parameters: {} };
-    joints.show();
     kept.keep(own).catch(() => { byId("files-say").textContent += " This browser cannot keep them: a reload loses them."; });
   }
 
-  function onJoint(joint, { request, own }) {
+  function onJoint(joint, asked) {
+    const { request, own } = asked;
     const kind = `${request.source} ${request.name ?? ""} ${joint.side}`;
     const other = own || kind !== app.kind;
     const { text, actions } = own ? doubtOf(joint, own, (change) => files.use(change)) : { text: "", actions: [] };
     if (app.ready || text) say(text, "fault", actions);
+    made = asked;
     if (own) takeOwn(own);
+    if (own || app.state.joint.name !== asked.joint.name) { // a reader's own joint, or the one before has come late and named itself
+      app.state.joint = structuredClone(asked.joint);
+      joints.show();
+    }
     if (other && app.kind !== null) app.state.look.camera = null; // a link that has just been opened keeps its own
     Object.assign(app, { kind, ready: true });
     shown = joint;
@@ -204,7 +211,7 @@ function start() {
     showLook();
     app.kind = null;
     askJoint();
-    if (JSON.stringify(app.state.tables) !== JSON.stringify(firstState().tables)) await make.tables({ ...app.state.tables });
+    await make.tables({ ...app.state.tables });
   }
 
   live.ask("presets").then((catalogue) => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pose at hand: asked of the library whenever it changes, and shown when the answer comes.
 import { byId } from "./elements.js";
-import { newestOnly } from "./engine_client.js";
+import { Stale, newestOnly } from "./engine_client.js";
 import { showLegend } from "./look_bar.js";
 import { drawHistogram } from "./plots.js";
 import { showReadouts } from "./readouts.js";
@@ -10,7 +10,7 @@ export class Poses {
   /** ask(request): the library's reply to `pose`; onPose(request) after a pose has been shown; fault(error). */
   constructor(app, view, { ask, onPose, fault }) {
     Object.assign(this, { app, view, onPose, vertices: 0, shown: null });
-    this.asking = newestOnly(ask, (pose, took, request) => this.show(pose, took, request), fault);
+    this.asking = newestOnly(ask, (pose, took, request) => this.show(pose, took, request), (error) => (error instanceof Stale ? this.again() : fault(error)));
   }
 
   /** Another joint, of so many vertices of the ball. */
