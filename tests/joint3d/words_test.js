@@ -10,7 +10,7 @@ const { pageModules } = require('./page_modules.js');
 let words;
 
 before(async () => {
-  words = await pageModules('cut_panel', 'elements', 'engine_client', 'files_panel', 'joint_words', 'limits_panel', 'making', 'measures_panel', 'mesh_files', 'messages', 'names', 'pose_words', 'poses', 'proof', 'session_file', 'slow_worker', 'state', 'sweep_panel', 'volume_panel');
+  words = await pageModules('cut_panel', 'elements', 'engine_client', 'export_panel', 'files_panel', 'joint_words', 'limits_panel', 'making', 'measures_panel', 'mesh_files', 'messages', 'names', 'plots', 'pose_words', 'poses', 'proof', 'readouts', 'session_file', 'slow_worker', 'state', 'sweep_panel', 'volume_panel');
 });
 
 /** What a panel writes into, by id, in place of a document. */
@@ -199,6 +199,26 @@ test('a pose that went with a joint that was cancelled is asked for again', asyn
   assert.deepEqual(asked.map(({ request }) => request.pose.flexion), [0, 30]);
 });
 
+test('all of the area is in the histogram, and zones of the clock that are left out are seen', () => {
+  const bars = words.barsBetween(-1, 1, { first_mm: -2, bin_mm: 0.5 }, { area_mm2: [1, 2, 3, 4, 5, 6, 7, 8], below_mm2: 10, beyond_mm2: 20 });
+  assert.deepEqual(bars.map(({ from, to, area }) => [from, to, area]), [[-2, -1, 13], [-1, -0.5, 3], [-0.5, 0, 4], [0, 0.5, 5], [0.5, 1, 6], [1, 2, 35]]);
+  const zone = (from) => ({ clock_from: `${from}:00`, clock_to: `${from + 1}:00` });
+  assert.equal(words.zones([1, 3, 5].map(zone)), '1:00 to 2:00, 3:00 to 4:00, 5:00 to 6:00');
+  assert.equal(words.zones([1, 3, 5, 7].map(zone)), '1:00 to 2:00, 3:00 to 4:00, 5:00 to 6:00, …');
+  assert.equal(words.zones([]), '–');
+});
+
+test('the curve of a motion is broken where surfaces do not face each other', () => {
+  fakePage();
+  const svg = document.createElementNS('', 'svg');
+  const draw = (at) => {
+    words.drawSweep(svg, { angles: [0, 10, 20, 30, 40], smallest: [3, 2, NaN, NaN, 1], limits: [{ state: 'free' }] }, { title: 'flexion', cartilage: 0, at });
+    const [curve, now] = ['curve', 'now'].map((name) => svg.children.find(({ attributes }) => attributes.class === name));
+    return [curve.attributes.d.replace(/[\d. ]+/g, ''), Boolean(now)];
+  };
+  assert.deepEqual([draw(10), draw(22), draw(null)], [['MLM', true], ['MLM', false], ['MLM', false]]);
+});
+
 test('what makes limits too large is said as the program says it', () => {
   const { missingWords } = words;
   assert.equal(missingWords([]), '');
@@ -256,6 +276,30 @@ test('an STL in capitals is read, and a file of VTK refused', async () => {
   const file = (name) => ({ name, size: text.length, arrayBuffer: () => Promise.resolve(new TextEncoder().encode(text).buffer) });
   assert.deepEqual([...(await words.readMesh(file('A.STL'))).positions], [0, 0, 0, 15, 0, 0, 0, 1, 0]);
   await assert.rejects(words.readMesh(file('a.vtp')), ({ message }) => message === 'a.vtp: this kind of file is not read here; save it as PLY, STL or OBJ, or use the program impinge');
+});
+
+test('a PLY is read whole or refused', async () => {
+  const read = (faces, { properties = 'property list uchar int vertex_indices', count = faces.length, points = 6, end = '\n', format = 'ascii' } = {}) => {
+    const head = `ply\nformat ${format} 1.0\ncomment SPACE=LPS\nelement vertex ${points}\nproperty float x\nproperty float y\nproperty float z\nelement face ${count}\n${properties}\nend_header\n`;
+    const corners = Array.from({ length: points }, (_, k) => [k, k * k, 1 + k]);
+    if (format === 'ascii') return words.readMesh(new File([head + [...corners, ...faces].map((row) => row.join(' ')).join('\n') + end], 'a.ply'));
+    const body = Buffer.concat([...corners.flat().map((x) => { const of = Buffer.alloc(4); of.writeFloatBE(x); return of; }),
+      ...faces.flatMap(([n, ...of]) => [Buffer.from([n]), ...of.map((v) => { const as = Buffer.alloc(4); as.writeInt32BE(v); return as; })])]);
+    return words.readMesh(new File([head, body], 'a.ply'));
+  };
+  const mixed = [[3, 0, 1, 2], [4, 0, 1, 2, 3]];
+  for (const format of ['ascii', 'binary_big_endian']) {
+    assert.deepEqual([...(await read(mixed, { format })).faces], [0, 1, 2, 0, 1, 2, 0, 2, 3]);
+    await assert.rejects(read([...mixed, [5, 0, 1, 2, 3, 4]], { format }), ({ message }) => message === 'a.ply: it has faces of five corners or more, or its end is missing; triangulate the mesh and save it again');
+    await assert.rejects(read([], { format }), ({ message }) => message === 'a.ply: there are no faces in it; give a surface mesh');
+    await assert.rejects(read([[2, 0, 1]], { format }), /there are no faces in it/);
+  }
+  await assert.rejects(read(mixed, { count: 3 }), /its end is missing/); // one line too few
+  await assert.rejects(read([[3, 0, 1, 2], [3, 0, 1]]), /its end is missing/);
+  await assert.rejects(read([[3, 0, 1, 2]], { points: 9, count: 9 }), /its end is missing/);
+  const coloured = { properties: ['list uchar int vertex_index', 'uchar red', 'uchar green', 'uchar blue'].map((each) => `property ${each}`).join('\n') };
+  assert.equal((await read([[3, 0, 1, 2, 9, 9, 9], [4, 0, 1, 2, 3, 9, 9, 9]], coloured)).positions.length, 27); // the loader takes its faces apart
+  await assert.rejects(read([[3, 0, 1, 2, 9, 9, 9], [5, 0, 1, 2, 3, 4, 9, 9, 9]], coloured), /five corners/);
 });
 
 test('a unit is offered where a human head would have it', () => {
@@ -353,4 +397,61 @@ test('what is asked while tables follow a joint is asked of that joint', async (
   assert.deepEqual(sent, [['joint', 'cam'], ['tables', 'fine'], ['measure', undefined], ['sweep', 'flexion']]);
   await new Promise((done) => setTimeout(done, 150));
   assert.deepEqual(sent.slice(4), [['bound', undefined]]);
+});
+
+test('a worker that refuses a joint does not answer for the one before', async () => {
+  const sent = [];
+  const faults = [];
+  const client = { restart: () => sent.push('restart'), ask: async (kind, request) => {
+    sent.push([kind, request]);
+    if (request === 'huge') throw new words.Told('there is not enough memory');
+    return { bound_mm: null };
+  } };
+  const slow = new words.SlowWorker(client, { rest: 1, onBound() {}, fault: ({ message }) => faults.push(message) });
+  slow.follow({ joint: 'cam' });
+  slow.follow({ tables: 'fine' });
+  await slow.rested();
+  slow.follow({ joint: 'huge' });
+  await slow.rested();
+  assert.deepEqual(sent, [['joint', 'cam'], ['tables', 'fine'], ['joint', 'huge'], 'restart']);
+  assert.deepEqual(faults, ['there is not enough memory']);
+  slow.follow({ joint: 'pincer' }); // with the tables that the live one has
+  await slow.rested();
+  assert.deepEqual(sent.slice(4), [['joint', 'pincer'], ['tables', 'fine']]);
+});
+
+test('a file of gaps is of one pose, though a motion goes on', async () => {
+  const { strFromU8, unzipSync } = await import('../../analysis/node_modules/three/examples/jsm/libs/fflate.module.js');
+  const shown = fakePage();
+  const saved = [];
+  document.querySelector = () => ({ content: '1' });
+  document.createElement = () => { const link = { append() {}, click: () => saved.push(link) }; return link; };
+  const { createObjectURL } = URL;
+  const { setTimeout: wait } = globalThis;
+  const { asked, ask } = heldQuestions();
+  let stopped = 0;
+  const app = { state: words.firstState(), player: { stop: () => { stopped += 1; } } };
+  const request = () => ({ pose: { ...app.state.motion } });
+  const joint = { side: 'right' };
+  new words.ExportPanel(app, {}, { ask: (kind, of) => ask([kind, of]), request, shown: () => ({ joint, pose: null, tables: {}, name: 'cam' }), write() {}, fault: assert.fail });
+  let blob;
+  URL.createObjectURL = (content) => { blob = content; return ''; };
+  globalThis.setTimeout = () => {};
+  try {
+    app.state.motion.flexion = 30;
+    shown['save-csv'].listeners.click();
+    app.state.motion.flexion = 60;
+    assert.deepEqual(asked.map(({ request: [kind, { pose }] }) => [kind, pose.flexion ?? pose.pose.flexion]), [['pose', 30], ['export', 30]]);
+    asked[0].answer({ matrix: [1], smallest_gap: { gap_mm: 3 } });
+    asked[1].answer({ bytes: new Uint8Array(1) });
+    await new Promise(setImmediate);
+  } finally {
+    Object.assign(URL, { createObjectURL });
+    globalThis.setTimeout = wait;
+  }
+  assert.equal(stopped, 1);
+  assert.equal(saved[0].download, 'gaps_cam_right_flexion_30.zip');
+  const { pose_deg: pose, smallest_gap: gap, columns } = JSON.parse(strFromU8(unzipSync(new Uint8Array(await blob.arrayBuffer()))['gaps.json']));
+  assert.deepEqual([pose.flexion, gap.gap_mm], [30, 3]);
+  assert.equal(columns.vertex, 'index in the mesh after welding, unless it is a whole bone');
 });

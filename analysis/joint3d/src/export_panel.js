@@ -18,14 +18,13 @@ export function save(content, name) {
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
-const COLUMNS = { surface: "ball or socket", vertex: "index in the mesh after welding", "x, y, z": "mm, in the pose, frame of the meshes", gap_mm: "mm, radial; empty where the other surface is not met" };
+const COLUMNS = { surface: "ball or socket", vertex: "index in the mesh after welding, unless it is a whole bone", "x, y, z": "mm, in the pose, frame of the meshes", gap_mm: "mm, radial; empty where the other surface is not met" };
 export const about = (name) => document.querySelector(`meta[name="${name}"]`).content;
 
 const titled = (name, { side }) => `${name}, ${side ?? "side unknown"}`;
 
-/** What gaps.csv was made from. joint and pose: the library's replies. */
-function metadata(app, joint, pose, tables) {
-  const { motion, offset, cartilage } = app.state;
+/** What gaps.csv was made from. state: as it was asked; joint and pose: the library's replies. */
+function metadata(app, { motion, offset, cartilage }, { joint, tables }, pose) {
   const { label, ball, socket, landmarks, ...given } = app.own ?? {};
   const gap = pose.smallest_gap;
   const own = app.state.joint.name === OWN;
@@ -40,9 +39,12 @@ function metadata(app, joint, pose, tables) {
 }
 
 export class ExportPanel {
-  /** ask(request): the library's reply to `export`; shown(): { joint, pose, tables, limits, name } as the page has them; write(): the address; fault(error). */
-  constructor(app, view, { ask, shown, write, fault }) {
-    Object.assign(this, { app, view, ask, shown, write });
+  /**
+   * ask(kind, request): the library's reply; request(): that for the pose of the state; shown(): { joint, pose, at, tables, limits, name } as the page has them, `at` of the
+   * pose; write(): the address; fault(error).
+   */
+  constructor(app, view, { ask, request, shown, write, fault }) {
+    Object.assign(this, { app, view, ask, request, shown, write });
     const actions = {
       "save-picture": () => this.picture(), "save-csv": () => this.gaps(), "save-limits": () => this.limits(),
       "save-ball": () => this.surface("ball"), "save-socket": () => this.surface("socket"), "copy-link": () => this.link(), "save-session": () => this.session(),
@@ -50,29 +52,34 @@ export class ExportPanel {
     Object.entries(actions).forEach(([id, act]) => byId(id).addEventListener("click", () => act().catch(fault)));
   }
 
-  /** The name of a file of the joint and pose at hand. */
-  named(what, kind) {
+  /** The name of a file of the joint at hand in a pose. */
+  named(what, kind, pose = this.app.state) {
     const { name, joint } = this.shown();
-    return `${what}_${fileStem(name, joint.side, this.app.state)}.${kind}`;
+    return `${what}_${fileStem(name, joint.side, pose)}.${kind}`;
   }
 
   async picture() {
-    const { name, joint, pose } = this.shown();
-    const lines = [poseWords(this.app.state), gapWords(pose.smallest_gap), `Gaps are radial. Joint3D of impinge ${about("version")}, ${about("commit").slice(0, 12)}: research software, no medical device.`];
+    const { name, joint, pose, at } = this.shown();
+    const file = this.named("joint3d", "png", at);
+    const lines = [poseWords(at), gapWords(pose.smallest_gap), `Gaps are radial. Joint3D of impinge ${about("version")}, ${about("commit").slice(0, 12)}: research software, no medical device.`];
     const { parts } = this.view;
     if (parts.isCut) lines.splice(2, 0, `The femur after a cut for ${this.app.state.required}; the gap is that before it.`);
-    save(await labelledPicture(this.view, titled(name, joint), lines, shownRows(parts, this.app.state.look.colours, pose.colours)), this.named("joint3d", "png"));
+    save(await labelledPicture(this.view, titled(name, joint), lines, shownRows(parts, this.app.state.look.colours, pose.colours)), file);
   }
 
   async gaps() {
-    const { joint, pose, tables } = this.shown();
-    const { bytes } = await this.ask({ format: "csv", surface: "both" });
-    const json = strToU8(`${JSON.stringify(metadata(this.app, joint, pose, tables), null, 2)}\n`);
-    save(zipSync({ "gaps.csv": bytes, "gaps.json": json }), this.named("gaps", "zip"));
+    this.app.player.stop();
+    const [state, request] = [structuredClone(this.app.state), this.request()]; // a reader may go on meanwhile
+    const [pose, { bytes }] = await Promise.all([this.ask("pose", request), this.ask("export", { format: "csv", surface: "both", pose: request })]);
+    const json = strToU8(`${JSON.stringify(metadata(this.app, state, this.shown(), pose), null, 2)}\n`);
+    save(zipSync({ "gaps.csv": bytes, "gaps.json": json }), this.named("gaps", "zip", state));
   }
 
   async surface(surface) {
-    save((await this.ask({ format: "ply", surface })).bytes, this.named(surface, "ply"));
+    this.app.player.stop();
+    const [state, request] = [structuredClone(this.app.state), this.request()];
+    const { bytes } = await this.ask("export", { format: "ply", surface, pose: request });
+    save(bytes, this.named(surface, "ply", state));
   }
 
   async limits() {
@@ -82,8 +89,9 @@ export class ExportPanel {
   }
 
   async session() {
+    const file = this.named("session", "zip");
     const bytes = await sessionBytes(this.app.state, this.app.own, { program: `impinge ${about("version")}`, commit: about("commit") });
-    save(bytes, this.named("session", "zip"));
+    save(bytes, file);
   }
 
   async link() {

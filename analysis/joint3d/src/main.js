@@ -82,8 +82,8 @@ function start() {
     make.joint({ request: ownRequest(own), own, joint: { name: OWN, side: own.side, parameters: {} } });
   }, openSession, fault);
   const write = keepAddress(app, () => { frame(); begin(); });
-  new ExportPanel(app, view, { write, fault, ask: (request) => live.ask("export", { ...request, pose: poses.request() }),
-    shown: () => ({ joint: shown, pose: poses.shown, tables: tables.now, limits: limits.rows, name: joints.name() }) });
+  new ExportPanel(app, view, { write, fault, ask: (kind, request) => live.ask(kind, request), request: () => poses.request(),
+    shown: () => ({ joint: shown, pose: poses.shown, at: poses.at, tables: tables.now, limits: limits.rows, name: joints.name() }) });
   const report = new ReportPanel(app, () => new EngineClient(source, lost), () => joints.name());
   const drag = new FemurDrag(view, (change) => {
     app.player.stop();

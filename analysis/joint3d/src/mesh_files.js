@@ -19,6 +19,46 @@ function fromGeometry(file, geometry) {
   return { name: file.name, positions: Float64Array.from(positions.array), faces };
 }
 
+const SIZES = { char: 1, int8: 1, uchar: 1, uint8: 1, short: 2, int16: 2, ushort: 2, uint16: 2, int: 4, int32: 4, uint: 4, uint32: 4, float: 4, float32: 4, double: 8, float64: 8 };
+
+/** Of how many triangles the faces of a PLY are, by its own words. Where it ends too early, NaN or a RangeError. */
+function trianglesOf(bytes) {
+  const [header] = new TextDecoder("latin1").decode(bytes.slice(0, HEAD)).match(/^ply[^]*?end_header(\r\n|\r|\n)/);
+  const ascii = /^format\s+ascii/m.test(header);
+  const little = /^format\s+binary_little/m.test(header);
+  const words = ascii ? new TextDecoder("latin1").decode(bytes.slice(header.length)).trim().split(/\s+/) : null;
+  const view = new DataView(bytes, header.length);
+  const sizeOf = (type) => (ascii ? 1 : SIZES[type]);
+  const read = (type, at) => (ascii ? Number(words[at]) : sizeOf(type) === 1 ? view.getUint8(at) : sizeOf(type) === 2 ? view.getUint16(at, little) : view.getUint32(at, little));
+  const elements = [];
+  for (const line of header.split(/\r\n|\r|\n/)) {
+    const [what, ...rest] = line.trim().split(/\s+/);
+    if (what === "element") elements.push({ name: rest[0], count: Number(rest[1]), properties: [] });
+    if (what === "property") elements.at(-1).properties.push(rest);
+  }
+  let [at, triangles] = [0, 0];
+  elements.forEach(({ name, count, properties }) => {
+    for (let k = 0; k < count; k += 1) {
+      for (const [type, countType, itemType, list] of properties) {
+        const corners = type === "list" ? read(countType, at) : 0;
+        at += type === "list" ? sizeOf(countType) + corners * sizeOf(itemType) : sizeOf(type);
+        if (name === "face" && /^vertex_ind/.test(list)) triangles += Math.max(corners - 2, 0);
+      }
+    }
+  });
+  return at <= (ascii ? words.length : view.byteLength) ? triangles : NaN;
+}
+
+/** The loader leaves out faces of five corners or more, and what of an ascii file is missing, without a word. */
+function fromPly(file, bytes) {
+  const geometry = new PLYLoader().parse(bytes);
+  const triangles = trianglesOf(bytes);
+  const mesh = fromGeometry(file, geometry);
+  if (triangles === 0) fail(file, "there are no faces in it", "give a surface mesh");
+  if ((mesh.faces ?? mesh.positions).length / (mesh.faces ? 3 : 9) !== triangles) fail(file, "it has faces of five corners or more, or its end is missing", "triangulate the mesh and save it again");
+  return mesh;
+}
+
 /** All objects of the file as one. */
 function fromObj(file, bytes) {
   const parts = [];
@@ -37,7 +77,7 @@ function plainStl(bytes) {
 }
 
 const READERS = {
-  ply: (file, bytes) => fromGeometry(file, new PLYLoader().parse(bytes)),
+  ply: fromPly,
   stl: (file, bytes) => fromGeometry(file, new STLLoader().parse(plainStl(bytes))),
   obj: fromObj,
 };

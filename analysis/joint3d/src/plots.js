@@ -45,21 +45,29 @@ export function mapLabels(height, { x, y, xs, ys, xTitle, yTitle }) {
     drawn("text", { class: "title middle", transform: `translate(10 ${middle}) rotate(-90)` }, yTitle)];
 }
 
+/** A histogram of the library between two gaps: { from, to, area } of each bar, mm and mm², all that is smaller or larger in one bar at either end. */
+export function barsBetween(low, high, { first_mm: first, bin_mm: width }, { area_mm2: areas, below_mm2: below, beyond_mm2: beyond }) {
+  const bins = Array.from(areas, (area, k) => ({ from: first + k * width, to: first + (k + 1) * width, area }));
+  const sum = (start, of) => of.reduce((all, { area }) => all + area, start);
+  return [{ from: low - 1, to: low, area: sum(below, bins.filter(({ from }) => from < low)) }, ...bins.filter(({ from }) => from >= low && from < high),
+    { from: high, to: high + 1, area: sum(beyond, bins.filter(({ from }) => from >= high)) }];
+}
+
 /** gap_histogram and colours: of the library's reply to `pose`. */
 export function drawHistogram(svg, { gap_histogram: bins, colours }, colourScale) {
-  const [ball, socket] = [bins.ball.area_mm2, bins.socket.area_mm2];
-  const edges = [...ball, 0].map((_, k) => bins.first_mm + k * bins.bin_mm);
-  const shown = [...edges.keys()].filter((k) => k < ball.length && edges[k] >= -3 && edges[k] < 12);
-  const most = Math.max(1, ...shown.map((k) => ball[k] + socket[k]));
-  const x = scale(-3, 12, AREA.left, WIDTH - AREA.right);
+  const [low, high] = [-3, 12];
+  const [ball, socket] = [bins.ball, bins.socket].map((of) => barsBetween(low, high, bins, of));
+  const most = Math.max(1, ...ball.map(({ area }, k) => area + socket[k].area));
+  const x = scale(low - 1, high + 1, AREA.left, WIDTH - AREA.right);
   const y = scale(0, most * 1.05, HEIGHT - AREA.bottom, AREA.top);
-  frame(svg, x, y, { xs: [-3, 0, 3, 6, 9, 12], ys: ticks(0, most, 3), xTitle: "gap, mm", yTitle: "area, mm²" });
-  shown.forEach((k) => {
-    const middle = (edges[k] + edges[k + 1]) / 2;
+  frame(svg, x, y, { xs: [0, 3, 6, 9], ys: ticks(0, most, 3), xTitle: "gap, mm", yTitle: "area, mm²" });
+  [[low - 0.5, `≤ ${low}`], [high + 0.5, `≥ ${high}`]].forEach(([gap, words]) =>
+    svg.append(drawn("text", { x: x(gap), y: HEIGHT - AREA.bottom + 14, class: "tick middle" }, words.replace("-", "−"))));
+  ball.forEach(({ from: left, to: right, area }, k) => {
     const bar = (from, to, surface) => drawn("rect", {
-      x: x(edges[k]) + 0.4, width: x(edges[k + 1]) - x(edges[k]) - 0.8, y: y(to), height: Math.max(y(from) - y(to), 0),
-      fill: css(colourOf(middle, colourScale, surface, colours[surface])), class: "bar" });
-    svg.append(bar(0, ball[k], "ball"), bar(ball[k], ball[k] + socket[k], "socket"));
+      x: x(left) + 0.4, width: x(right) - x(left) - 0.8, y: y(to), height: Math.max(y(from) - y(to), 0),
+      fill: css(colourOf((left + right) / 2, colourScale, surface, colours[surface])), class: "bar" });
+    svg.append(bar(0, area, "ball"), bar(area, area + socket[k].area, "socket"));
   });
   svg.append(drawn("line", { x1: x(0), x2: x(0), y1: AREA.top, y2: HEIGHT - AREA.bottom, class: "zero" }));
 }
@@ -86,7 +94,8 @@ export function drawSweep(svg, sweep, { title, cartilage, at }) {
   const across = (value, name) => drawn("line", { x1: AREA.left, x2: WIDTH - AREA.right, y1: y(value), y2: y(value), class: name });
   svg.append(across(0, "zero"));
   if (cartilage > 0) svg.append(across(cartilage, "cartilage"));
-  svg.append(drawn("polyline", { points: seen.map((k) => `${x(sweep.angles[k])},${y(inside(sweep.smallest[k]))}`).join(" "), class: "curve" }));
+  const way = seen.map((k) => `${Number.isNaN(sweep.smallest[k - 1] ?? NaN) ? "M" : "L"}${x(sweep.angles[k])} ${y(inside(sweep.smallest[k]))}`);
+  svg.append(drawn("path", { d: way.join(" "), class: "curve" })); // broken where the surfaces do not face each other
   const [limit] = sweep.limits;
   if (limit.state === "limited") {
     const place = x(limit.low_deg);
@@ -96,8 +105,8 @@ export function drawSweep(svg, sweep, { title, cartilage, at }) {
         `limit ${roundedDown(limit.low_deg, 2)}°`));
   }
   if (at !== null && at >= 0 && at <= end) {
-    const k = seen.reduce((best, each) => (Math.abs(sweep.angles[each] - at) < Math.abs(sweep.angles[best] - at) ? each : best), seen[0] ?? 0);
-    svg.append(drawn("circle", { cx: x(at), cy: y(inside(sweep.smallest[k])), r: 4, class: "now" }));
+    const gap = sweep.smallest[sweep.angles.reduce((best, each, k) => (Math.abs(each - at) < Math.abs(sweep.angles[best] - at) ? k : best), 0)];
+    if (!Number.isNaN(gap)) svg.append(drawn("circle", { cx: x(at), cy: y(inside(gap)), r: 4, class: "now" }));
   }
   return (share) => Math.min(Math.max(((share * WIDTH - AREA.left) / (WIDTH - AREA.left - AREA.right)) * end, 0), end);
 }

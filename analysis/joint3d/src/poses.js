@@ -9,8 +9,8 @@ import { showReadouts } from "./readouts.js";
 export class Poses {
   /** ask(request): the library's reply to `pose`; onPose(request) after a pose has been shown; fault(error). */
   constructor(app, view, { ask, onPose, fault }) {
-    Object.assign(this, { app, view, onPose, vertices: 0, shown: null });
-    this.asking = newestOnly(ask, (pose, took, request) => this.show(pose, took, request), (error) => (error instanceof Stale ? this.again() : fault(error)));
+    Object.assign(this, { app, view, onPose, vertices: 0, shown: null, at: null });
+    this.asking = newestOnly(({ request }) => ask(request), (pose, took, asked) => this.show(pose, took, asked), (error) => (error instanceof Stale ? this.again() : fault(error)));
   }
 
   /** Another joint, of so many vertices of the ball. */
@@ -29,12 +29,14 @@ export class Poses {
   }
 
   again() {
-    if (this.app.ready) this.asking(this.request());
+    const { motion, offset } = structuredClone(this.app.state);
+    if (this.app.ready) this.asking({ request: this.request(), at: { motion, offset } });
   }
 
-  show(pose, took, request) {
+  /** at: the motion and the shift that it was asked of. */
+  show(pose, took, { request, at }) {
     if (!this.app.ready || pose.ball_gap.length !== this.vertices) return; // of a joint that is no more
-    this.shown = pose;
+    Object.assign(this, { shown: pose, at });
     const scale = this.app.state.look.colours;
     this.view.setPose(pose, scale);
     this.legend();

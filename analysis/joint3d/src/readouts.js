@@ -6,7 +6,7 @@ const SPOKEN = 1200; // ms of rest before a screen reader is told
 
 const area = (mm2) => `${mm2 < 10 ? mm2.toFixed(1) : Math.round(mm2)} mm²`;
 const zone = ({ clock_from: from, clock_to: to }) => (from === to ? "all round" : `${from} to ${to}`);
-const zones = (list) => (list?.length ? list.slice(0, 3).map(zone).join(", ") : "–");
+export const zones = (list) => (list?.length ? [...list.slice(0, 3).map(zone), ...(list.length > 3 ? ["…"] : [])].join(", ") : "–");
 const signed = (gap) => gap.toFixed(2).replace("-", "−");
 
 /** The smallest gap of the library's reply to `pose`, in a line. */

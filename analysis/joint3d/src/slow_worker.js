@@ -5,7 +5,7 @@
 export class SlowWorker {
   /** client: an EngineClient; rest: ms without a change; onBound(bound) in mm, null where none is proven; fault(error). */
   constructor(client, { rest, onBound, fault }) {
-    Object.assign(this, { client, rest, onBound, fault, newest: 0, unsent: {}, settled: Promise.resolve(), asking: Promise.resolve() });
+    Object.assign(this, { client, rest, onBound, fault, newest: 0, unsent: {}, sent: {}, settled: Promise.resolve(), asking: Promise.resolve() });
   }
 
   /** news: { joint } or { tables }, the requests that the live worker has answered. */
@@ -19,9 +19,16 @@ export class SlowWorker {
 
   async send() {
     const { joint, tables } = this.unsent;
+    Object.assign(this.sent, this.unsent);
     this.unsent = {};
-    if (joint) await this.client.ask("joint", joint);
-    if (tables) await this.client.ask("tables", tables);
+    try {
+      if (joint) await this.client.ask("joint", joint);
+      if (tables) await this.client.ask("tables", tables);
+    } catch (error) {
+      this.client.restart(); // it must not answer for the joint or tables before as if for these
+      this.unsent = { ...this.sent, ...this.unsent };
+      throw error;
+    }
   }
 
   /** Until the worker has the newest joint and tables, those included that come while one waits. */
