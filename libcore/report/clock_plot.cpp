@@ -143,7 +143,8 @@ double add_levels(Svg& svg, const Json& gaps, const Across& x, double y) {
   return y;
 }
 
-double add_legend(Svg& svg, const ClockMap& map, double y) {
+// `by_map`: a map gives the thickness of the cartilage, and levels are shares of it (joint/gaps.hpp).
+double add_legend(Svg& svg, const ClockMap& map, bool by_map, double y) {
   double x = 4.0;
   double before = 0.0;
   const auto entry = [&](const std::string& colour, const std::string& text) {
@@ -155,9 +156,11 @@ double add_legend(Svg& svg, const ClockMap& map, double y) {
     if (level.up_to_mm == 0.0)
       entry(css(level.colour), "0 or less");
     else if (std::isfinite(level.up_to_mm))
-      entry(css(level.colour), formatted("to %.1f", level.up_to_mm));
+      entry(css(level.colour),
+            by_map ? formatted("to %.0f %%", 100.0 * level.up_to_mm) : formatted("to %.1f", level.up_to_mm));
     else
-      entry(css(level.colour), formatted("over %.1f mm", before));
+      entry(css(level.colour),
+            by_map ? formatted("over %.0f %%", 100.0 * before) : formatted("over %.1f mm", before));
     before = level.up_to_mm;
   }
   entry(css(kNoGapColour), "no bone opposite");
@@ -182,7 +185,8 @@ std::string clock_plot(const ClockMap& map, const Json& gaps) {
   }
   const Json& smallest = gaps["smallest_gap"];
   add_hours(svg, x, bottom, top);
-  double y = add_legend(svg, map, bottom + 34.0) + 14.0;
+  const bool by_map = gaps["impingement"].back()["gap_up_to_mm"].is_null();
+  double y = add_legend(svg, map, by_map, bottom + 34.0) + 14.0;
   svg.text(4.0, y, "Smallest gap at each hour, mm", {.size = 10, .fill = kFaint});
   y += 8.0;
   add_hours(svg, x, y + kCurve, y);

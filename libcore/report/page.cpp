@@ -235,7 +235,10 @@ std::string input_section(const ReportParts& parts) {
   return section("input", "What was looked at", "<dl>\n" + facts + "</dl>\n");
 }
 
-std::string legend(const Json& colours) {
+// Does a map give the thickness of the cartilage? Then levels are shares of it (joint/gaps.hpp).
+bool has_map(const ReportParts& parts) { return !parts.joint["cartilage_map"].is_null(); }
+
+std::string legend(const Json& colours, bool by_map) {
   const auto css = [](const Json& rgb) {
     return formatted("#%02x%02x%02x", rgb[0].get<int>(), rgb[1].get<int>(), rgb[2].get<int>());
   };
@@ -248,12 +251,14 @@ std::string legend(const Json& colours) {
   for (const Json& level : colours["ball"]) {
     if (level["up_to"].is_null()) continue;
     const double up_to = level["up_to"];
-    add(level["rgb"],
-        up_to == 0.0 ? std::string("gap of 0 mm or less") : formatted("%.1f to %.1f mm", before, up_to));
+    add(level["rgb"], up_to == 0.0 ? std::string("gap of 0 mm or less")
+                      : by_map ? formatted("%.0f to %.0f %% of the cartilage", 100.0 * before, 100.0 * up_to)
+                               : formatted("%.1f to %.1f mm", before, up_to));
     before = up_to;
   }
-  add(colours["ball"].back()["rgb"], formatted("ball, over %.1f mm", before));
-  add(colours["socket"].back()["rgb"], formatted("socket, over %.1f mm", before));
+  const std::string beyond = by_map ? "beyond the cartilage" : formatted("over %.1f mm", before);
+  add(colours["ball"].back()["rgb"], "ball, " + beyond);
+  add(colours["socket"].back()["rgb"], "socket, " + beyond);
   add(colours["no_gap_rgb"], "no bone opposite");
   return "<ul class=\"legend\">\n" + rows + "</ul>\n";
 }
@@ -281,7 +286,7 @@ std::string views_section(const ReportParts& parts) {
           figure("posterior", 0.55, "ball socket smallest", "From behind") +
           figure("lateral", 0.4, "socket clock smallest", "The socket from the side, ball taken away") +
           figure("medial", 0.4, "ball smallest", "The ball from the midline, socket taken away") +
-          "</div>\n" + legend(parts.answer["gaps"]["colours"]) +
+          "</div>\n" + legend(parts.answer["gaps"]["colours"], has_map(parts)) +
           paragraph("A gap is the joint space along a ray from the centre of rotation. The dot is the "
                     "smallest one; it is seen through bone."),
       " class=\"wide\"");
@@ -296,7 +301,8 @@ std::string clock_section(const ReportParts& parts) {
       "clock", "Gaps round the rim",
       parts.clock +
           paragraph("The socket, unrolled: 12 o'clock is superior and 3 anterior on both sides. Bars "
-                    "below say where a gap is so small. The dashed line is the smallest gap."));
+                    "below say where a gap is so small. The dashed line is the smallest gap." +
+                    std::string(has_map(parts) ? " Colours say what share of the cartilage a gap is." : "")));
 }
 
 std::string limits_section(const ReportParts& parts) {
