@@ -119,7 +119,8 @@ TEST(Session, AreasOfPosesAreOfVerticesOnTheSurface) {
   Session session = session_with_strays();
   const SessionJoint& joint = *session.joint;
   const PoseSeries series(joint, {.outputs = {PosesOutput::areas}, .cartilage_mm = 100.0});
-  const GapsAnswer gaps = answer_pose(session, {});
+  const GapsAnswer gaps = answer(session, GapsRequest());
+  ASSERT_EQ(gaps.ball.gap.size(), joint.ball.area.size());
   double area = 0.0;
   for (std::size_t v = 0; v < gaps.ball.gap.size(); ++v)
     area += std::isnan(gaps.ball.gap[v]) ? 0.0 : joint.ball.area[v];
