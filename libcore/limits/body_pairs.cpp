@@ -499,12 +499,13 @@ bool BodyPairs::may_hold(const Body& ball, const Body& socket, const NearPoses& 
 }
 
 // Where radii of the main bones are clear: may one have come into the other through an opening? None comes
-// into a socket that is a sheet.
+// into a socket that is a sheet, of which only one point of each piece is asked about: every cell with a hole
+// of the ball near it would stay open else.
 bool BodyPairs::may_have_come_in(const NearPoses& poses) const {
   const Body& ball = *ball_[0];
   const Body& socket = *socket_[0];
   if (!radial_) return (!ball.openings.empty() || !socket.openings.empty()) && may_hold(ball, socket, poses);
-  return is_open_bone(ball) && ball.holds_of(socket, Reach(poses), in_ball(poses)) != Contact::no;
+  return is_open_bone(ball) && ball.holds_pieces(socket, Reach(poses), in_ball(poses)) != Contact::no;
 }
 
 BodyPairs::Reach::Reach(const NearPoses& poses)
