@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -231,9 +230,7 @@ void add_parts(NamedMesh whole, JointPart& to, Joint& joint) {
 // Radius of the ball, mm; none if neither mesh is a whole bone or no sphere round the centre fits the ball.
 std::optional<double> head_radius(const Joint& joint) {
   if (joint.fit) return joint.fit->radius;
-  double nearest = std::numeric_limits<double>::infinity();  // no head has a smaller radius
-  for (const Face& face : joint.ball.mesh.faces)
-    for (const VertexIndex v : face) nearest = std::min(nearest, joint.ball.mesh.vertices[v].norm());
+  const double nearest = reach_of(joint.ball.mesh).nearest;  // no head has a smaller radius
   if (std::ranges::none_of(std::array{&joint.ball, &joint.socket}, [&](const JointPart* part) {
         return is_whole_bone(part->mesh, part->star_shape.violating, nearest);
       }))

@@ -55,7 +55,9 @@ struct Joint {
   double overlap_mm = 0.0;                 // by which the ball was made smaller; see JointInput
   std::string axes = "RAS";                // where +x, +y and +z of the meshes point (hip/anatomy.hpp)
   std::optional<AnatomicalFrames> frames;  // from landmarks; see use_frames()
-  std::vector<std::string> warnings;       // one line each; those that make the joint itself doubtful first
+  /// Do angles count from the neutral pose of a femur's landmarks? Else from the pose of the scan.
+  bool from_neutral() const { return frames && frames->femur; }
+  std::vector<std::string> warnings;  // one line each; those that make the joint itself doubtful first
   std::size_t doubts = 0;  // number of warnings that make the joint doubtful: its unit, side or place
 };
 

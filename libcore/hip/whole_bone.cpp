@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "hip/length_unit.hpp"
 #include "mesh/disjoint_sets.hpp"
 #include "mesh/weld.hpp"
 
@@ -66,9 +67,7 @@ TriangleMesh marked_faces(const TriangleMesh& mesh, const std::vector<bool>& mar
 }  // namespace
 
 bool is_whole_bone(const TriangleMesh& bone, double hidden, double head_radius) {
-  double reach = 0.0;
-  for (const Face& face : bone.faces)
-    for (const VertexIndex v : face) reach = std::max(reach, bone.vertices[v].norm());
+  const double reach = reach_of(bone).farthest;
   return reach > kFar * head_radius || (reach > kCutEnds * head_radius && hidden > kHiddenBone);
 }
 

@@ -27,8 +27,8 @@ Landmarks read_landmarks(const std::filesystem::path& file, const std::string& b
                          const Eigen::Matrix3d& axes);
 
 /// Adds a point in the frame of the meshes, mm, if its label is a landmark's, else its label to the others.
-/// Throws std::invalid_argument,
-/// one line, for a place that is not finite and for a label that is there already.
+/// Throws std::invalid_argument, one line, for a place that is not finite and for a label that is there
+/// already.
 void add_landmark(std::string_view label, const Vec3& place, Landmarks& found);
 
 /// Sets the joint's frames from landmarks (use_frames()). It warns if there is no epicondyle but another

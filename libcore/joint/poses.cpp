@@ -36,7 +36,7 @@ void add_row(const PoseRow& row, PosesAnswer& all) {
 }
 
 PoseList list_of(const PosesRequest& request, const SessionJoint& joint) {
-  const bool from_neutral = joint.joint.frames && joint.joint.frames->femur;
+  const bool from_neutral = joint.joint.from_neutral();
   if (request.path) {
     PoseList grid = parse_pose_grid(*request.path);
     if (grid.needs_side() && !joint.side)

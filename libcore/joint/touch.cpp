@@ -187,13 +187,13 @@ std::string describe_threshold(const TouchAnswer& found, const std::string& pose
 }
 
 const char* name_of_rest(const Joint& joint) {
-  return joint.frames && joint.frames->femur ? "neutral pose of the landmarks" : "pose of the scan";
+  return joint.from_neutral() ? "neutral pose of the landmarks" : "pose of the scan";
 }
 
 Pose scanned_pose(const SessionJoint& joint) {
   const auto& frames = joint.joint.frames;
   Pose scanned;
-  if (frames && frames->femur) scanned.rotation = frames->femur->transpose() * frames->pelvis;
+  if (joint.joint.from_neutral()) scanned.rotation = frames->femur->transpose() * frames->pelvis;
   return scanned;
 }
 
@@ -202,7 +202,7 @@ Eigen::Matrix3d turn_from_scan(const SessionJoint& joint) {
 }
 
 void warn_of_contact(SessionJoint& joint, const ScanContactOptions& options) {
-  const bool turned = joint.joint.frames && joint.joint.frames->femur;
+  const bool turned = joint.joint.from_neutral();
   const std::string start = turned ? std::string("in the ") + name_of_rest(joint.joint) : "as scanned";
   const TouchAnswer found = touch_in(joint, Pose());
   warn(describe_contact(found, start, options), joint);

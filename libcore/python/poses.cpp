@@ -91,7 +91,7 @@ std::vector<Pose> poses_of(const SessionJoint& joint, const py::object& given) {
   if (!matrices && !angles && !quaternions) refuse("an array of shape " + shape_text(array) + " holds none");
   if (angles && array.size() == 9 && nearest_rotation(Eigen::Map<const Eigen::Matrix3d>(array.data())))
     refuse("an array of shape (3, 3) that is a rotation would be read as three poses of angles");
-  if (!angles && joint.joint.frames && joint.joint.frames->femur)
+  if (!angles && joint.joint.from_neutral())
     throw std::invalid_argument(
         "poses: matrices and quaternions begin at the pose of the scan, and landmarks of the femur at "
         "neutral; "
