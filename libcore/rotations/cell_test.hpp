@@ -3,7 +3,8 @@
 /// Is a joint free in all rotations near a given one, or blocked in all of them? Proven for the whole
 /// surfaces, not only for their vertices. Theorem 14 (volume).
 ///
-///   free     nothing touches in any of the rotations
+///   free     nothing touches in any of the rotations; behind openings of a ball radii leave a case that is
+///            not excluded, which the theorem names
 ///   blocked  something touches in every one of them
 ///   unknown  nothing touches in any, but in all of them the ball's mesh has a hole under the socket, and its
 ///            whole bone was not given
