@@ -30,7 +30,7 @@ from jobs import Job  # noqa: E402
 # Of a real joint: the first of these names that is there, as in libcore/joint/joint_folder.hpp.
 BALLS = ("ball", "femoral_head", "humeral_head")
 SOCKETS = ("socket", "acetabulum_facing", "glenoid_facing", "acetabulum", "glenoid")
-MESHES = ("ply", "stl", "obj", "off")
+MESHES = ("ply", "stl", "obj", "off", "vtp", "vtk")
 WAYS = "right anterior superior left posterior inferior".split()
 PATIENTS = {"patient_a": "right", "patient_b": "left"}  # stand-ins for the thesis' two patients, and the side of their hips
 SYSTEMS = ("rsid", "usid")  # of the thesis

@@ -66,73 +66,73 @@ bool caps_meet(const Cap& a, const Cap& b) {
   return a.axis.dot(b.axis) >= a.cos_radius * b.cos_radius - a.sin_radius * b.sin_radius - slack;
 }
 
-// Lists the faces near each entry of a grid whose cells are about as large as a face. Two faces with a common
-// direction are both near the entry that is nearest to this direction.
-Lists bucket_faces(const std::vector<TriangleCone>& cones) {
-  const double size_deg = std::sqrt(4.0 * kPi / static_cast<double>(cones.size() + 1)) / kDegree;
-  const Rsid grid = Rsid::with_precision(180.0 / std::round(180.0 / std::clamp(size_deg, 0.5, 30.0)));
-  const Rsid::Walker walker = grid.walker();
-  std::vector<Lists::Pair> near;
-  for (std::uint32_t f = 0; f < cones.size(); ++f) {
-    for_each_entry_near(walker, cones[f], grid.covering_radius(), [&](std::size_t entry, const Vec3&) {
-      near.push_back({static_cast<std::uint32_t>(entry), f});
-    });
-  }
-  return Lists(grid.size(), near);
+// A grid whose cells are about as large as one of so many faces.
+Rsid grid_of(std::size_t faces) {
+  const double size_deg = std::sqrt(4.0 * kPi / static_cast<double>(faces + 1)) / kDegree;
+  return Rsid::with_precision(180.0 / std::round(180.0 / std::clamp(size_deg, 0.5, 30.0)));
 }
 
-// The number of pairs that overlap; std::nullopt if some bucket holds too many faces to try all pairs, as
-// when the whole mesh fills a small part of the view.
-std::optional<std::size_t> count_overlapping_pairs(const std::vector<TriangleCone>& cones) {
-  std::vector<Cap> caps;
-  caps.reserve(cones.size());
-  for (const TriangleCone& cone : cones) caps.push_back(cap_of(cone.corners()));
-  const Lists buckets = bucket_faces(cones);
-  std::vector<Lists::Pair> listed;
+// The number of pairs of faces that overlap; std::nullopt if some bucket holds too many faces to try all
+// pairs, as when the whole mesh fills a small part of the view. A bucket holds the faces near an entry of a
+// grid, as `near` says: two faces with a common direction are both near the entry nearest to it.
+std::optional<std::size_t> count_overlapping_pairs(const TriangleMesh& mesh, std::size_t entries_of_grid,
+                                                   std::vector<Lists::Pair>&& near) {
+  const Lists buckets(entries_of_grid, near);
+  std::vector<Lists::Pair> listed = std::move(near);  // as many
+  listed.clear();
   for (std::uint32_t entry = 0; entry < buckets.size(); ++entry) {
     if (buckets[entry].size() > kMostInBucket) return std::nullopt;
     for (const std::uint32_t f : buckets[entry]) listed.push_back({f, entry});
   }
-  const Lists entries(cones.size(), listed);
-  std::vector<std::uint32_t> last(cones.size(), 0);  // the face that each was last compared with
+  const Lists entries(mesh.faces.size(), listed);
+  std::vector<Cap> caps;
+  caps.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) caps.push_back(cap_of(corners_of(mesh, face)));
+  std::vector<std::uint32_t> last(mesh.faces.size(), 0);  // the face that each was last compared with
   std::size_t found = 0;
-  for (std::uint32_t f = 1; f < cones.size(); ++f) {
+  for (std::uint32_t f = 1; f < mesh.faces.size(); ++f) {
     for (const std::uint32_t entry : entries[f]) {
       for (const std::uint32_t g : buckets[entry]) {  // in rising order
         if (g >= f) break;
         if (std::exchange(last[g], f) == f || !caps_meet(caps[f], caps[g])) continue;
-        found += cones_overlap(cones[g].corners(), cones[f].corners()) ? 1U : 0U;
+        found += cones_overlap(corners_of(mesh, mesh.faces[g]), corners_of(mesh, mesh.faces[f])) ? 1U : 0U;
       }
     }
   }
   return found;
 }
 
-void measure_shares(const std::vector<TriangleCone>& cones, StarShapeReport& report) {
-  const Rsid grid = Rsid::with_precision(kMeasuringPrecision);
-  const Rsid::Walker walker = grid.walker();
-  std::vector<std::uint16_t> inside(grid.size(), 0);
-  std::vector<bool> met(grid.size(), false);
-  for (const TriangleCone& cone : cones) {
-    for_each_entry_inside(walker, cone, [&](std::size_t entry, const Vec3& u) {
-      met[entry] = true;
+// Shares of the directions of a grid, as faces are added.
+class Shares {
+ public:
+  void add(const TriangleCone& cone) {
+    for_each_entry_inside(walker_, cone, [&](std::size_t entry, const Vec3& u) {
+      met_[entry] = true;
       // The boundary does not count, so that a ray through an edge counts once at most.
-      if (inside[entry] < UINT16_MAX && place_in_cone(cone.corners(), cone.side(), u) > 0) ++inside[entry];
+      if (inside_[entry] < UINT16_MAX && place_in_cone(cone.corners(), cone.side(), u) > 0) ++inside_[entry];
     });
   }
-  double total = 0.0;
-  for (std::size_t row = 0; row < grid.size(); row += grid.columns()) {
-    const double weight = grid.direction(row).x();  // sin(phi), at theta = 0: area of the patch of each entry
-    total += weight * static_cast<double>(grid.columns());
-    for (std::size_t i = row; i < row + grid.columns(); ++i) {
-      if (met[i]) report.covered += weight;
-      if (inside[i] > 1) report.violating += weight;
+  void write(StarShapeReport& report) const {
+    double total = 0.0;
+    for (std::size_t row = 0; row < grid_.size(); row += grid_.columns()) {
+      const double weight = grid_.direction(row).x();  // sin(phi), at theta = 0: area of each entry's patch
+      total += weight * static_cast<double>(grid_.columns());
+      for (std::size_t i = row; i < row + grid_.columns(); ++i) {
+        if (met_[i]) report.covered += weight;
+        if (inside_[i] > 1) report.violating += weight;
+      }
     }
+    report.covered /= total;
+    report.violating /= total;
+    report.directions = grid_.size();
   }
-  report.covered /= total;
-  report.violating /= total;
-  report.directions = grid.size();
-}
+
+ private:
+  Rsid grid_ = Rsid::with_precision(kMeasuringPrecision);
+  Rsid::Walker walker_ = grid_.walker();
+  std::vector<std::uint16_t> inside_ = std::vector<std::uint16_t>(grid_.size(), 0);
+  std::vector<bool> met_ = std::vector<bool>(grid_.size(), false);
+};
 
 }  // namespace
 
@@ -162,20 +162,29 @@ bool cones_overlap(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
 StarShapeReport star_shape(const TriangleMesh& mesh) {
   require_lengths(mesh);
   StarShapeReport report;
-  std::vector<TriangleCone> cones;
   for (const Face& face : mesh.faces) {
-    const Vec3& a = corner(mesh, face, 0);
-    const Vec3& b = corner(mesh, face, 1);
-    const Vec3& c = corner(mesh, face, 2);
+    const auto& [a, b, c] = corners_of(mesh, face);
     const int facing = orientation(a, b, c);
     ++(facing > 0 ? report.front_facing : facing < 0 ? report.back_facing : report.edge_on);
-    if (facing == 0) continue;
-    report.solid_angle += solid_angle(a, b, c);
-    cones.emplace_back(a, b, c);
+    if (facing != 0) report.solid_angle += solid_angle(a, b, c);
   }
-  measure_shares(cones, report);
   const bool one_side = report.edge_on == 0 && (report.front_facing == 0) != (report.back_facing == 0);
-  const auto overlapping = one_side ? count_overlapping_pairs(cones) : std::nullopt;
+  Shares shares;
+  const Rsid grid = grid_of(mesh.faces.size());
+  const Rsid::Walker walker = grid.walker();
+  std::vector<Lists::Pair> near;
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+    const TriangleCone cone = cone_of(mesh, mesh.faces[f]);
+    if (cone.edge_on()) continue;
+    shares.add(cone);
+    if (!one_side) continue;
+    for_each_entry_near(walker, cone, grid.covering_radius(), [&](std::size_t entry, const Vec3&) {
+      near.push_back({static_cast<std::uint32_t>(entry), f});
+    });
+  }
+  shares.write(report);
+  const auto overlapping =
+      one_side ? count_overlapping_pairs(mesh, grid.size(), std::move(near)) : std::nullopt;
   report.overlapping_pairs = overlapping.value_or(0);
   report.star_shaped = one_side && overlapping == 0U;
   return report;

@@ -5,8 +5,8 @@
 make_mutants.py makes a copy of the project with all mutants in TREE, where it is built once.
 
 A mutant is killed if a test fails, crashes or takes too long. Those that no test reaches and those that all tests pass survive; a survivor
-that cannot change an answer stands in equivalent.csv with the reason. Exit code 1 if fewer than 95 % of the others are killed.
-TREE/result.csv has them all."""
+that cannot change an answer stands in equivalent.csv with the reason, and is run only if --only names it: no test would end it early.
+Exit code 1 if fewer than 95 % of the others are killed. TREE/result.csv has them all."""
 
 from __future__ import annotations
 
@@ -140,7 +140,8 @@ def main() -> int:
             print(f"{k} {mutants[k]['file']}:{mutants[k]['line']} {by or 'alive'}", flush=True)
             return by
 
-        killers = dict(zip(drawn, pool.map(attempt, drawn)))
+        tried = [k for k in drawn if options.only or k not in argued]
+        killers = dict.fromkeys(drawn, "") | dict(zip(tried, pool.map(attempt, tried)))
     killed, alive, equal = [], [], []
     with (tree / "result.csv").open("w", newline="") as file:
         table = csv.DictWriter(file, [*mutants[0], "killed_by", "fate"], lineterminator="\n")
