@@ -12,7 +12,7 @@ from common.jobs import Job
 # Parts of the page, and how the names of what stands there begin; the first that fits counts. What no beginning fits stands in the last.
 TOPICS = {
     "Error, time and memory of each method": (
-        "error-", "contact-against", "work-", "ablation", "fast-", "matched-", "touch-", "detection-", "limit-time", "joint3d-speed",
+        "error-", "contact-against", "work-", "ablation", "fast-", "matched-", "touch-", "limit-time", "joint3d-speed",
     ),
     "Stiff and extreme cases": ("stability-", "turns-"),
     "What one question needs": ("scene-needs", "needs-", "build-"),

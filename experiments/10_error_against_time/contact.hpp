@@ -84,20 +84,6 @@ inline constexpr double kMotionStepDeg = 0.5;    // turn between two poses, abou
 // The poses of all motions, one motion after the other; empty if the joint has too few.
 std::vector<Pose> contact_motions(const CulledJoint& joint, const MotionGap& gap, std::uint64_t seed);
 
-// How far a joint turns until its surfaces first touch: by proven brackets (limits/turn_limit.hpp), and by a
-// test of touch in steps until a pose touches, then halvings.
-
-QuestionTable make_first_contact_table();  // first_contact.csv
-
-// The key columns scene, method, setting, triangles.
-std::vector<Column> first_contact_keys();
-
-// Turns the joint about random axes from its pose; only turns that end in a common point of the surfaces
-// count. Throws std::runtime_error if the exact overlay contradicts a bracket. The methods must be those of
-// the scene's joint. Adds the rows, none if the joint is impinged from the start.
-void run_first_contact(const BenchmarkScene& scene, std::span<const MadeContact> methods, bool quick,
-                       const BenchmarkOptions& options, QuestionTable& found, Progress& progress);
-
 // Do all ways to test a joint for touch agree, even close to contact?
 
 // How often what is asked.

@@ -2,7 +2,6 @@
 // @question  How wrong is every method, and what does it cost to build, to ask and to keep?
 // @writes    error_against_time error_against_time_spread error_against_time_samples
 // @writes    all_gaps all_gaps_samples contact contact_samples contact_agreement
-// @writes    first_contact first_contact_samples
 // @bones     yes
 // @timing    yes
 // @seconds   100 3600
@@ -14,7 +13,6 @@
 //   all gaps           of a pose, by kernels with vector instructions, the scalar scan and libraries, in both
 //                      directions, over a motion of 24 poses
 //   touch, smallest    of poses that have a smallest gap over 2 mm or of 0.5 mm, or that mostly touch; warm
-//   first contact      of turns about random axes, by proven brackets and by steps
 // Answers are verified before anything is timed, on the very tables and trees that are timed. If the largest
 // error is above the proven bound, the run fails and writes the direction to
 // error_against_time_witness.json.
@@ -48,15 +46,14 @@ struct Planned {
   std::function<BenchmarkScene()> make;
   bool points = false;            // gaps of single vertices?
   bool contact = false;           // touch and smallest gap?
-  bool motions = false;           // first contact?
   std::optional<GapPlan> gaps{};  // all gaps of a pose
 };
 
 Planned generated(std::size_t faces, bool points, bool contact, std::optional<GapPlan> gaps) {
-  return {[faces] { return generated_scene(faces); }, points, contact, false, std::move(gaps)};
+  return {[faces] { return generated_scene(faces); }, points, contact, std::move(gaps)};
 }
 Planned hip(const std::string& preset, std::size_t faces, bool points, bool contact, GapPlan gaps) {
-  return {[preset, faces] { return hip_scene(preset, faces); }, points, contact, contact, std::move(gaps)};
+  return {[preset, faces] { return hip_scene(preset, faces); }, points, contact, std::move(gaps)};
 }
 
 const GapPlan kFew{{{kMainCells}, {0.5}}};
@@ -85,9 +82,9 @@ std::vector<Planned> full_scenes() {
   return all;
 }
 
-// Real joints come first, since they may be refused; in a quick run only the smallest, without touch and
-// motions. Single vertices are asked on the smallest and the largest joint. All methods from coarse to fine
-// run on the smallest joint with at least a thousand triangles.
+// Real joints come first, since they may be refused; in a quick run only the smallest, without touch. Single
+// vertices are asked on the smallest and the largest joint. All methods from coarse to fine run on the
+// smallest joint with at least a thousand triangles.
 std::vector<Planned> scenes(DriverRun& run) {
   std::vector<Planned> others = run.quick() ? quick_scenes() : full_scenes();
   if (!run.bones) return others;
@@ -101,7 +98,7 @@ std::vector<Planned> scenes(DriverRun& run) {
     drawn = drawn || draw;
     const bool points = run.quick() || k == 0 || k + 1 == joints.size();
     all.push_back({[joint = joints[k]] { return real_scene(joint.subject, joint.meshes); }, points,
-                   !run.quick(), !run.quick(), draw ? lines(run.quick()) : kFew});
+                   !run.quick(), draw ? lines(run.quick()) : kFew});
   }
   std::ranges::move(others, std::back_inserter(all));
   return all;
@@ -137,7 +134,6 @@ struct Found {
   BenchmarkTables points = make_benchmark_tables();
   QuestionTable gaps = make_gap_table();
   QuestionTable contact = make_contact_table();
-  QuestionTable first_contact = make_first_contact_table();
 };
 
 void ask(const Planned& planned, const BenchmarkOptions& options, Found& found, DriverRun& run) {
@@ -145,10 +141,7 @@ void ask(const Planned& planned, const BenchmarkOptions& options, Found& found, 
   if (planned.points) run_benchmark(scene, options, found.points, run.progress);
   if (planned.gaps) run_all_gaps(scene, *planned.gaps, options, found.gaps, run.progress);
   if (!planned.contact) return;
-  const std::vector<MadeContact> methods = made_contacts(scene.pair);
-  run_contact(scene, methods, options, found.contact, run.progress);
-  if (planned.motions)
-    run_first_contact(scene, methods, run.quick(), options, found.first_contact, run.progress);
+  run_contact(scene, made_contacts(scene.pair), options, found.contact, run.progress);
 }
 
 void write_agreement(DriverRun& run) {
@@ -210,11 +203,6 @@ void body(DriverRun& run) {
          "Does the joint touch, or what is its smallest gap: time of a pose by every method?",
          {{"warm", true}, {"step_deg", 0.5}, {"motions", 16}}},
         std::move(found.contact), contact_keys());
-  write(run,
-        {"first_contact",
-         "How far does a joint turn until it touches, by every method, and what does that cost?",
-         {{"largest_deg", 120}, {"halved_to_deg", 0.001}}},
-        std::move(found.first_contact), first_contact_keys());
 }
 
 }  // namespace
