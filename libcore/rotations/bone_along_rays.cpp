@@ -36,11 +36,14 @@ bool is_bone_beside_centre(const TriangleMesh& mesh) {
   const auto volume = validate(mesh).volume;
   if (!volume) return false;
   const NearFaces faces(mesh, 0.0);
-  return std::ranges::all_of(mesh.faces, [&](const Face& face) {
+  bool asked = false;  // rays past edges tell nothing
+  const bool beside = std::ranges::all_of(mesh.faces, [&](const Face& face) {
     const Vec3 middle = corner(mesh, face, 0) + corner(mesh, face, 1) + corner(mesh, face, 2);
     const auto bone = bone_along(faces, middle.stableNormalized(), *volume < 0.0);
+    asked = asked || bone.has_value();
     return !bone || (bone->least == 0 && bone->at_centre == 0);
   });
+  return beside && asked;
 }
 
 }  // namespace impinge

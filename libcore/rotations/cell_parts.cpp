@@ -353,8 +353,10 @@ bool CellSearch::take_free(Parted& at, const CellHint& hint) {
     const double steep = face.plane.norm();
     at.about = CapAngle(face.radius + at.asked.angle.radius);
     ++faces_asked_;
-    const auto all_below = [&](const std::array<std::uint32_t, 3>& corners) {
-      for (std::size_t way = 0; way < 4; ++way) {
+    const auto all_below = [&](std::uint32_t g) {
+      const std::array<std::uint32_t, 3>& corners = ball.corners(g);
+      const bool no_plane = ball.faces()[g].plane.isZero(0.0);  // it may reach beyond its moved corners
+      for (std::size_t way = no_plane ? 1 : 0; way < 4; ++way) {
         if ((way == 0 ? face.plane : face.inward[way - 1]).isZero(0.0)) continue;
         if (is_below(face, steep, corners[0], way) && is_below(face, steep, corners[1], way) &&
             is_below(face, steep, corners[2], way))
@@ -367,7 +369,7 @@ bool CellSearch::take_free(Parted& at, const CellHint& hint) {
     const std::size_t cuts = at.planes.size();
     return any_near(ball.face_tree(), near,
                     [&](std::uint32_t g) {
-                      return !all_below(ball.corners(g)) &&
+                      return !all_below(g) &&
                              (!keep_apart(at, face, ball.faces()[g]) || at.pairs > kMostPairs);
                     }) ||
            (at.planes.size() > cuts && at.left.share(at.frame) < at.enough);

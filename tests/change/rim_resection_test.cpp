@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The least radial cut of a socket: its size beside an integral over a formula, what it leaves beside the
 // exact overlay, and what one hair less would leave.
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -12,7 +13,10 @@
 #include "hip/hip_presets.hpp"
 #include "limits/bump_under_a_cup.hpp"
 #include "limits/turn_limit.hpp"
+#include "mesh/bodies.hpp"
 #include "mesh/validation.hpp"
+#include "mesh/weld.hpp"
+#include "rotations/bone_along_rays.hpp"
 #include "rotations/bone_over_cap.hpp"
 #include "support/dice.hpp"
 #include "support/joined.hpp"
@@ -277,6 +281,25 @@ TEST(RimResection, KnowsNoVolumeOfShellsThatAreNotOfOneOrientation) {
     EXPECT_EQ(volume(other).high, HUGE_VAL);
     EXPECT_THROW(BoneOverCap{test::joined(block, other)}, std::runtime_error);
   }
+}
+
+// A cube round the centre in an octahedron: the middle of each face is seen along an edge of the other, so
+// that no ray there tells anything.
+TEST(LeastCut, IsRefusedWhereRaysTellNothing) {
+  TriangleMesh mesh = octahedron(30.0);
+  for (Eigen::Index k = 0; k < 3; ++k)
+    for (const double at : {-5.0, 5.0}) {
+      const Vec3 middle = at * Vec3::Unit(k);
+      const Vec3 across = 5.0 * Vec3::Unit((k + 1) % 3);
+      const Vec3 up = at * Vec3::Unit((k + 2) % 3);
+      const std::array<Vec3, 4> corners{middle + across + up, middle - across + up, middle - across - up,
+                                        middle + across - up};
+      for (std::size_t l = 0; l < 4; ++l) test::add_face(mesh, middle, corners[l], corners[(l + 1) % 4]);
+    }
+  mesh = weld(mesh);
+  ASSERT_TRUE(validate(mesh).volume);
+  EXPECT_FALSE(is_bone_beside_centre(mesh));
+  EXPECT_THROW(BoneOverCap{mesh}, std::runtime_error);
 }
 
 // A pincer that is to reach more than it does, with or without a wall.

@@ -12,6 +12,7 @@
 #include "mesh/bodies.hpp"
 #include "mesh/weld.hpp"
 #include "rotations/cap_floor.hpp"
+#include "rotations/cell_test.hpp"
 #include "rotations/radii_over_cap.hpp"
 #include "rotations/ray_spans.hpp"
 #include "rotations/seen_surface.hpp"
@@ -300,6 +301,40 @@ TEST(RadiiOverCap, HoldWhatARayMeets) {
     EXPECT_GT(bounded, random_cases() / 3);
     EXPECT_LT(bounded, random_cases());
   }
+}
+
+// A side of the slab is seen under more than 75.5 degrees, so that its corners are not moved out far enough
+// for the gap; a triangle 0.5 mm above its middle is nearer than the gap in all of these rotations, wherever
+// the tip of the slab comes near the other triangle.
+TEST(CellPart, FreesNothingBelowAWideFaceThatIsNearerThanTheGap) {
+  TriangleMesh slab;
+  for (const double x : {-10.0, 10.0})
+    for (const double y : {-10.0, 10.0})
+      for (const double z : {-1.0, 1.0}) slab.vertices.emplace_back(x, y, z);
+  slab.vertices.emplace_back(80.0, 0.0, 0.0);
+  slab.faces = {{0, 1, 3}, {0, 3, 2}, {0, 4, 5}, {0, 5, 1}, {2, 3, 7}, {2, 7, 6}, {0, 2, 6},
+                {0, 6, 4}, {1, 5, 7}, {1, 7, 3}, {4, 6, 8}, {6, 7, 8}, {7, 5, 8}, {5, 4, 8}};
+  std::size_t open = 0;
+  for (double azimuth = 0.508; azimuth < 0.53; azimuth += 0.004) {
+    TriangleMesh socket;
+    test::add_face(socket, {-1.0, -1.0, 1.5}, {0.0, 1.0, 1.5}, {1.0, -1.0, 1.5});
+    const auto at = [](double angle, double z) {
+      return Vec3(25.0 * std::cos(angle), 25.0 * std::sin(angle), z);
+    };
+    test::add_face(socket, at(azimuth, -4.0), at(azimuth, 4.0), at(azimuth + 0.2, 0.0));
+    const CellTest joint({slab, socket}, {.gap_mm = 1.0});
+    CellSearch search(joint);
+    for (std::uint32_t level = 6; level <= 9; ++level) {
+      const RotationCell cell = cell_of(Quaternion4(1.0, 0.001, 0.0012, 0.03), level);
+      search.enter(parent(cell));
+      const CellVerdict verdict = search.decide(cell);
+      EXPECT_NE(verdict.state, CellState::free);
+      if (verdict.state != CellState::open) continue;
+      ++open;
+      EXPECT_EQ(search.part_of(cell, verdict.hint).free_share, 0.0) << azimuth << " " << level;
+    }
+  }
+  EXPECT_GT(open, 0U);
 }
 
 TEST(CapFloor, FindsTheFaceThatHoldsADirection) {
