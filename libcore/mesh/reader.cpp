@@ -136,8 +136,16 @@ void triangulate(const fs::path& file, Assimp::Importer& importer) {
     return std::ranges::any_of(polygons(*part), [](const aiFace& face) { return face.mNumIndices > 3; });
   };
   if (!std::ranges::any_of(parts(*importer.GetScene()), has_polygon)) return;
-  if (importer.ApplyPostProcessing(aiProcess_Triangulate) == nullptr) {
-    throw FileError(file, "cannot be triangulated", "triangulate it and export it again");
+  const auto triangles = [&] {
+    std::size_t count = 0;
+    for (const aiMesh* part : parts(*importer.GetScene()))
+      for (const aiFace& face : polygons(*part)) count += std::max(face.mNumIndices, 2U) - 2U;
+    return count;
+  };
+  // assimp leaves out what it cannot triangulate.
+  const std::size_t expected = triangles();
+  if (importer.ApplyPostProcessing(aiProcess_Triangulate) == nullptr || triangles() != expected) {
+    throw FileError(file, "has polygons that cannot be triangulated", "triangulate it and export it again");
   }
 }
 

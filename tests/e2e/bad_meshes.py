@@ -9,6 +9,10 @@ POINTS = "0 0 0\n1 0 0\n0 1 0\n"
 FACE = "3 0 1 2\n"
 XYZ = "property float x\nproperty float y\nproperty float z\n"
 LIST = "property list uchar int vertex_indices\n"
+NO_EAR = """2.98336315 0.719962776 0|5.30887794 -1.87525618 2.55916095|7.63439226 -4.4704752 5.1183219|3.59800982 -6.43859148 5.92426157
+-0.438372791 -8.40670776 6.73020124|-3.52984619 -6.42493868 4.51854372|-6.62131929 -4.44317007 2.3068862|-9.27420998 -1.51806283 -0.583795905
+-11.9271002 1.40704441 -3.47447801|-8.48332119 5.0468421 -5.75172997|-5.03954124 8.68663883 -8.02898216|-1.37290263 6.14264536 -5.24894667
+2.29373622 3.59865165 -2.46891165|2.63854957 2.15930724 -1.23445582""".replace("\n", "|").split("|")
 PICTURE = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + bytes(range(256))
 
 
@@ -139,6 +143,10 @@ REFUSED = {
         "binary.off": off("3 1 0", POINTS + FACE, "OFF BINARY"),
         "no_counts.off": b"OFF\n",
         "negative.off": off("-3 1 0", POINTS + FACE),
+    },
+    # assimp finds no ear of this flat polygon and leaves three triangles out.
+    "has polygons that cannot be triangulated; triangulate it and export it again": {
+        "no_ear.obj": obj("f 1 2 3 4 5 6 7 8 9 10 11 12 13 14\n", NO_EAR),
     },
     # Files of VTK.
     "is no VTP file, or cut short: its end is not </VTKFile>; export or copy it again": {
