@@ -29,7 +29,7 @@ Arc arc_of(const Vec3& a, const Vec3& b) {
   const Vec3 to = b.stableNormalized();
   const double nearest = std::max((0.5 * (from + to)).norm(), kOnArc);  // of the chord
   const auto [low, high] = std::minmax(from.z(), to.z());
-  return {from, to, from.cross(to), std::min(low, low / nearest) - kOnArc,
+  return {from, to, from.cross(to - from), std::min(low, low / nearest) - kOnArc,
           std::max(high, high / nearest) + kOnArc};
 }
 

@@ -27,7 +27,8 @@ struct MeshEnd {
 std::optional<double> first_beyond(const MeshEnd& end, double largest);
 
 /// The same for centres up to `within` mm away, with rays to points of the socket that are shifted by up to
-/// `shift` mm: an angle before which no such point passes the border about any of them.
+/// `shift` mm: an angle before which no such point passes the border about any of them. A point that is not
+/// covered about the given centre is not followed, though it may be about another.
 std::optional<double> first_near_border(const MeshEnd& end, double largest, double shift, double within);
 
 }  // namespace impinge

@@ -243,7 +243,7 @@ std::vector<WithinReach> NearBodies::deepest(const BodyTrees& ball, const BodyTr
   double least = 0.0;
   const auto far = [&](const Vec3& p, const Vec3& y, double reach) {
     const double wanted = reach - least;
-    return wanted < 0.0 || (p - y).squaredNorm() > wanted * wanted;
+    return (p - y).squaredNorm() > wanted * wanted;  // below 0 nothing is deeper, as is found later
   };
   const auto same_ball = [&](const WithinReach& a, const WithinReach& b) {
     return a.reach == b.reach && (a.of_ball == b.of_ball || a.of_socket == b.of_socket);

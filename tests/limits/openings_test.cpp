@@ -296,6 +296,16 @@ TEST(MeshEnd, IsWhereTheCoverOfADirectionEnds) {
   EXPECT_LT(ended, cases * 3 / 4);
 }
 
+// A ray may have any direction where its point is shifted by more than its distance.
+TEST(MeshEnd, IsAtTheStartForAPointThatIsShiftedPastTheCentre) {
+  const MeshEnd end{{{20.0, 0.0, 0.0}, {0.0, 20.0, 0.0}, {0.0, 0.0, 20.0}},
+                    {{0, 1}, {1, 2}, {2, 0}},
+                    {{5.0, 5.0, 5.0}},
+                    [](std::size_t, double) { return true; }};
+  EXPECT_EQ(first_near_border(end, 1.0, 9.0, 0.0), 0.0);
+  EXPECT_GT(first_near_border(end, 1.0, 0.1, 0.0).value_or(1.0), 0.1);
+}
+
 // A speck of a sheet in a flask of the ball, and radii that are clear: seen from the centre the flask is
 // before the speck.
 TEST(Openings, LetASheetIntoTheBall) {
@@ -309,6 +319,7 @@ TEST(Openings, LetASheetIntoTheBall) {
     ASSERT_TRUE(bodies.has_radial());
     EXPECT_EQ(bodies.verdict({}).contact, place > -61.0 ? Contact::yes : Contact::no);
     EXPECT_EQ(bodies.may_meet({.turn = 0.01}, true).has_value(), place > -61.0);
+    EXPECT_EQ(bodies.each_close({.turn = 0.01}, true, [](const ClosePair&) { return true; }), place < -61.0);
   }
 }
 

@@ -105,7 +105,10 @@ TEST(MotionVolume, OfTwoSpheresIsThatOfTheirDistance) {
     EXPECT_EQ(volume.at(Quaternion4::Unit(0)).state, apart < kSum ? CellState::blocked : CellState::free);
     EXPECT_EQ(volume.shares().reachable_low > 0.0, apart > kSum);
     EXPECT_EQ(volume.shares().reachable_high > 0.0, apart > kSum);
-    if (apart < kSum) continue;
+    if (apart < kSum) {
+      EXPECT_EQ(volume.limit({.axis = Vec3::UnitX()}, 8.0).high_deg, 0.0);
+      continue;
+    }
     // Turns along sides of cells stop at the finest cell there that is not free.
     std::size_t stopped = 0;
     for (int k = 0; k < 60; ++k) {
