@@ -3,8 +3,8 @@
 """What changed between two runs, made by another commit, compiler or machine: experiments/compare.py RUN RUN, two result folders.
 
 Prints on what each was made; the verdicts and findings that differ, of those that both runs give by the same rule; the errors
-above their proven bounds, in either run; how many numbers of each CSV differ, apart from times; and the ratios of the times,
-second over first. The spread of a ratio is that of both medians: their interquartile ranges, as shares, in quadrature. A ratio
+above their proven bounds, in either run; how many numbers of each CSV differ, of one with times those that count answers
+(ANSWERS) alone; and the ratios of the times, second over first. The spread of a ratio is that of both medians: their interquartile ranges, as shares, in quadrature. A ratio
 that differs from 1 by less than its spread means nothing.
 Rows are compared if both runs have as many and their words agree. Exit code 0 if only times changed, 1 if anything else did, 2
 for a folder that is no run. Standard library only.
@@ -34,6 +34,8 @@ BOUNDS = {
     "sampling_error_proven": (("measured_max_mm", "bound_mm"), ("attained_mm", "bound_mm")),
     "stability_detail": (("error_um", "bound_um"),),
 }
+# Columns of CSVs with times that say what was answered, not how fast or in how many rounds.
+ANSWERS = {"wrong", "missed", "misses", "false_hits", "touching", "impinged", "otherwise", "asked", "largest_error_deg", "scan_um", "error_um"}
 SHOWN = 10  # lines of a kind, all of them with --all
 KEYS = ("artefact", "row", "column")
 RULE = ("thesis", "unit", "rule", "tolerance")
@@ -198,7 +200,7 @@ def compare_data(one: Run, two: Run, report: Report) -> None:
             if column in timed:
                 found = ratios(pairs, column)
                 times += [told_ratios(name, column, found)] if found else []
-            elif not one.records[name].get("timing"):
+            elif column in ANSWERS or not one.records[name].get("timing"):
                 numbers += told_numbers(name, column, pairs)
     report.lines("CSVs that cannot be compared", other)
     report.lines("columns whose numbers differ", numbers)

@@ -30,6 +30,7 @@ from jobs import Job  # noqa: E402
 # Of a real joint: the first of these names that is there, as in libcore/joint/joint_folder.hpp.
 BALLS = ("ball", "femoral_head", "humeral_head")
 SOCKETS = ("socket", "acetabulum_facing", "glenoid_facing", "acetabulum", "glenoid")
+WHOLE = ("femur", "pelvis")  # whole bones, as in experiments/17_limit_time/turned_joint.cpp
 MESHES = ("ply", "stl", "obj", "off", "vtp", "vtk")
 WAYS = "right anterior superior left posterior inferior".split()
 PATIENTS = {"patient_a": "right", "patient_b": "left"}  # stand-ins for the thesis' two patients, and the side of their hips
@@ -75,6 +76,11 @@ class Joint:
     subject: Path | None  # subject.json
     options: list[str]  # of impinge: --side, --axes
 
+    def files(self) -> list[Path]:
+        """All that experiments read of it."""
+        whole = [self.ball.parent / f"{bone}.ply" for bone in WHOLE]
+        return [file for file in (self.ball, self.socket, self.subject, *whole) if file and file.is_file()]
+
 
 def find_joint(folder: Path) -> Joint | None:
     """The joint in a folder. None if a mesh is missing or there twice, or if its description has no centre, an unknown side, or axes
@@ -95,7 +101,9 @@ def find_joint(folder: Path) -> Joint | None:
     except ValueError:
         said = None
     said = said if isinstance(said, dict) else {}
-    centre = said.get("center_of_rotation_mm")
+    centre = said.get("center_of_rotation_mm", said.get("centre"))
+    if said.get("unit", "mm") != "mm" or said.get("units", "mm") != "mm":
+        return None
     if not isinstance(centre, list) or [type(x) in (int, float) for x in centre] != [True] * 3:
         return None
     side, axes = said.get("side"), said.get("axes")
@@ -132,7 +140,10 @@ def right_handed(ways: list[int]) -> bool:
 def find_joints(bones: Path | None) -> list[Joint]:
     """All joints in the folder, by name. Refuses a folder without joints, and a name that our files cannot have."""
     folders = sorted(path for path in bones.iterdir() if path.is_dir()) if bones else []
-    joints = [joint for folder in folders if (joint := find_joint(folder))]
+    found = {folder.name: find_joint(folder) for folder in folders}
+    joints = [joint for joint in found.values() if joint]
+    if joints and (left_out := [name for name, joint in found.items() if not joint]):
+        print(f"reproduce: of --bones {bones} left out: {', '.join(left_out)}", file=sys.stderr)
     if bones and not joints:
         refuse(f"--bones {bones}: no sub-folder holds a ball ({', '.join(BALLS)}) and a socket ({', '.join(SOCKETS)})")
     for joint in joints:
@@ -167,7 +178,7 @@ def experiment_job(setup: Setup, joints: list[Joint], source: Path) -> Job:
     if joints and (words["writes-with-bones"] or said.get("bones") == "yes"):
         tables = tables + words["writes-with-bones"]
         files = files + [file.replace("JOINT", joint.name) for joint in joints for file in words["files-with-bones"]]
-        depends += [str(file) for joint in joints for file in (joint.ball, joint.socket, joint.subject) if file]
+        depends += [str(file) for joint in joints for file in joint.files()]
         command += ["--bones", str(setup.bones)]
     outputs = [f"data/{table}.{kind}" for table in tables for kind in ("csv", "json")] + [f"data/{file}" for file in files]
     budget, timing = [float(text) for text in words["seconds"]], said.get("timing") == "yes"

@@ -40,6 +40,8 @@ def relay(job: dict, child: subprocess.Popen) -> None:
 def run(job: dict, folder: Path) -> int:
     """Runs the command in the folder. Ends it if the run that started this job is gone, for example killed."""
     owner = int(os.environ.get("IMPINGE_RUN_PID", "0"))
+    for ending in (signal.SIGTERM, signal.SIGHUP):  # as by Ctrl-C: the command is in a session of its own
+        signal.signal(ending, signal.default_int_handler)
     child = subprocess.Popen(
         job["command"],
         cwd=folder,

@@ -62,13 +62,13 @@ def run_of(tables: list[Path]) -> dict:
     for table, record in records.items():
         if record["profile"] != "full":
             raise Refused(f"{table} is of the {record['profile']} profile: remove it and run again")
-        if record["dirty"]:
+        if record["dirty"] is not False:
             raise Refused(
-                f"{table} comes from uncommitted changes: commit them, remove the data and run again"
+                f"{table} comes from uncommitted changes, or does not know: commit them, remove the data and run again"
             )
-        if record["commit"] != first["commit"]:
-            commits = f"{record['commit'][:12]}, others of {first['commit'][:12]}"
-            raise Refused(f"{table} is of commit {commits}: remove the data and run again")
+        for key in MACHINE:
+            if record[key] != first[key]:
+                raise Refused(f"{table} has the {key} {record[key]}, others {first[key]}: remove the data and run again")
     begun = min(record["started_utc"] for record in records.values())
     return {**{key: first[key] for key in MACHINE}, "started_utc": begun}
 

@@ -53,11 +53,12 @@ def over_centres(results: Path) -> str:
     table = contacts(results)
     said = []
     for made, joints in table.groupby(table.joint.isin(GENERATED)):
-        width = (joints.centre_high_deg - joints.centre_low_deg)[joints.state == "limited"].dropna()
+        limited = joints[joints.state == "limited"]
+        width = (limited.centre_high_deg - limited.centre_low_deg).dropna()
         of = "generated hips" if made else f"{joints.joint.nunique()} real joints"
         if len(width):
             ends = f"{common.digits(width.median(), 2)}° wide in the median and {common.digits_up(width.max(), 2)}° at most"
-            said.append(f"in {of} {ends} ({len(width)} of {len(joints)} limits have a proven upper end)")
+            said.append(f"in {of} {ends} ({len(width)} of {len(limited)} limits have a proven upper end)")
     return ", ".join(reversed(said))
 
 

@@ -128,7 +128,7 @@ def pays_from(table: pd.Series, tree: pd.Series) -> float:
     gain = (tree.pose_us - table.pose_us) / 1e3
     lead = table.build_ms - tree.build_ms
     if gain <= 0:
-        return np.inf if lead >= 0 else 1.0
+        return np.inf
     return max(1.0, np.ceil(lead / gain))
 
 

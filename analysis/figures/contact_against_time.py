@@ -61,7 +61,7 @@ def smallest(poses: pd.DataFrame) -> tuple:
 
 def first_contact(turns: pd.DataFrame) -> tuple:
     """The limits of a hip, a line a method over its steps, which its name tells, with the contacts that are missed."""
-    rows = turns.assign(cost=turns.cpu_ms / turns.asked, error=turns.largest_error_deg, bound=np.nan)
+    rows = turns.assign(cost=turns.cpu_ms / turns.motions, error=turns.largest_error_deg, bound=np.nan)
     missed = [f" (misses {count} of {asked})" if count else "" for count, asked in zip(rows.missed, rows.asked)]
     step = rows.step_deg.map("{:g}°".format).where(rows.step_deg.notna()) + pd.Series(missed, rows.index)
     steps = step.fillna("").groupby(rows.line).transform(", ".join)

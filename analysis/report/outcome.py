@@ -120,7 +120,7 @@ def turning(results: Path) -> str:
     return element("h2", "Range of motion") + element(
         "p",
         f"{ours.motions} limits of motion of {html.escape(ours.joint)} ({int(ours.faces):,} faces) take"
-        f" {common.digits(ours.total_ms, 2)} ms, from meshes, and miss no contact; {missing}."
+        f" {common.digits(ours.total_ms, 2)} ms, from meshes, and miss {int(ours.missed) or 'no'} contact{'s' if ours.missed > 1 else ''}; {missing}."
         f" Closed forms are met within {common.digits_up(error, 2)}°. " + element("a", "By method", href="#limit-time") + ".",
     )
 

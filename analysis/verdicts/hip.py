@@ -79,7 +79,7 @@ def inside(zone, stretch: tuple[float, float]) -> bool:
     """Does a zone lie within a stretch, or at most NEAR outside it?"""
     low, high = stretch[0] - NEAR, stretch[1] + NEAR
     start = (zone.from_hours - low) % 12
-    return start + (zone.to_hours - zone.from_hours) % 12 <= (high - low) % 12
+    return start + ((zone.to_hours - zone.from_hours) % 12 or 12) <= (high - low) % 12
 
 
 def zone_row(value, found: pd.DataFrame, note: str) -> dict:

@@ -11,7 +11,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include "10_error_against_time/contact.hpp"
 #include "files/stopwatch.hpp"
 #include "gap/overlay.hpp"
 #include "methods/heap_use.hpp"

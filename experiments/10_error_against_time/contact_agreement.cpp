@@ -31,6 +31,7 @@ class ContactReferee {
     count.culled_wrong += culled_.impinged(pose).has_value() != truth ? 1U : 0U;
     count.least_gap_wrong += (least && least->gap_mm <= 0.0) != truth ? 1U : 0U;
     const bool contact = fcl_(pose);
+    if (missed && !contact) ++count.unexplained;  // FCL misses what the faces have
     if (contact == truth) return;
     if (truth) {
       ++count.beyond;

@@ -49,7 +49,7 @@ class Paying(unittest.TestCase):
 
     def test_pays_from(self):
         tree = pd.Series({"build_ms": 5.0, "pose_us": 300.0})
-        for build, pose, poses in ((15.0, 200.0, 100), (15.0, 300.0, np.inf), (4.0, 200.0, 1), (15.0, 400.0, np.inf)):
+        for build, pose, poses in ((15.0, 200.0, 100), (15.0, 300.0, np.inf), (4.0, 200.0, 1), (15.0, 400.0, np.inf), (4.0, 400.0, np.inf)):
             self.assertEqual(work_precision.pays_from(pd.Series({"build_ms": build, "pose_us": pose}), tree), poses)
 
 

@@ -52,6 +52,13 @@ class Compare(unittest.TestCase):
         self.assertIn("sampling_time.csv median_ms: 1 in the geometric mean of 2, from 1 to 1, spread 0.14 in the median; "
                       "0 beyond their spread", found.stdout)
 
+    def test_an_answer_beside_times(self):
+        for run, wrong in zip(self.runs, (0, 99)):
+            self.data(run, "contact", [("method", ""), ("wrong", "1"), ("rounds", "1"), ("us_pose", "us")], [["a", wrong, 3 + wrong, 5]], timing={"rounds": 9})
+        found = self.compare()
+        self.assertEqual(found.returncode, 1)
+        self.assertIn("columns whose numbers differ: 1\n  contact.csv wrong: 1 of 1", found.stdout)
+
     def test_a_verdict(self):
         self.verdicts(self.runs[1], "differs", "1.9")
         found = self.compare()

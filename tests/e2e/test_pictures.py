@@ -115,7 +115,7 @@ class Limits(unittest.TestCase):
     def test_facts(self):
         with mock.patch.object(common, "load", return_value=self.table):
             facts = paper_limits.facts(Path())
-        centre = "in generated hips 20° wide in the median and 20° at most (1 of 4 limits have a proven upper end)"
+        centre = "in generated hips 20° wide in the median and 20° at most (1 of 2 limits have a proven upper end)"
         wanted = {"count": "3", "widest": "1", "centre": centre, "unbounded": "1"}
         self.assertEqual({name: facts[f"limits:{name}"] for name in wanted}, wanted)
 
