@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the figures of sampling schemes share: one row per scheme, values off the scale, and spheres side by side.
-
-No scheme is named here but the reference, which is the thesis' own first table.
-"""
+"""What the figures of sampling schemes share: values off the scale, names beside points, and spheres side by side."""
 
 import math
 import textwrap
@@ -15,7 +12,6 @@ from matplotlib.text import Text
 
 import common
 
-REFERENCE = "rsid"  # what savings and errors are counted from
 # N rho^2 of the best covering of the plane by circles (Kershner 1939)
 FLOOR = 8 * math.pi / (3 * math.sqrt(3))
 FLOOR_TEXT = r"no scheme can do better: $8\pi/(3\sqrt{3})$ = " + f"{FLOOR:.3f}"
@@ -24,41 +20,6 @@ FLOOR_TEXT = r"no scheme can do better: $8\pi/(3\sqrt{3})$ = " + f"{FLOOR:.3f}"
 def reach(values: pd.Series) -> float:
     """The largest value that is drawn on a linear axis. Larger ones, beyond three medians, are only written."""
     return float(values[values <= 3 * values.median()].max())
-
-
-def rows(axes: plt.Axes, names: list[str]) -> np.ndarray:
-    """Gives each scheme a row, the first at the top; returns the rows' places."""
-    places = np.arange(len(names))
-    axes.set_yticks(places, names)
-    axes.set_ylim(len(names) - 0.4, -0.6)
-    axes.tick_params(axis="y", length=0)
-    axes.grid(axis="y", visible=False)
-    return places
-
-
-def dots(
-    axes: plt.Axes, values: dict[str, pd.Series], span: tuple[float, float], names: dict[str, str], apart: float
-) -> None:
-    """Draws a marker per scheme for each series, `apart` rows from one another; `names` are for the legend. A value beyond the
-    span is written at its edge, in the order of the legend.
-    """
-    middle = (len(values) - 1) / 2
-    for k, (name, look) in enumerate(common.look(list(values)).items()):
-        inside = values[name].between(*span).to_numpy()
-        places = np.flatnonzero(inside) + apart * (k - middle)
-        axes.plot(
-            values[name][inside], places, **{**look, "linestyle": "none", "markersize": 5.5, "label": names[name]}
-        )
-    for place in range(len(next(iter(values.values())))):
-        row = [series.iloc[place] for series in values.values()]
-        for text, edge, shift, side in (
-            (["←", *(f"{value:,.0f}" for value in row if value < span[0])], span[0], 4, "left"),
-            ([*(common.digits(value) for value in row if value > span[1]), "→"], span[1], -4, "right"),
-        ):
-            if len(text) > 1:
-                common.note(
-                    axes, "  ".join(text).replace("-", "\u2212"), (edge, place), (shift, 0), ha=side, va="center"
-                )
 
 
 def name_points(axes: plt.Axes, x: pd.Series, y: pd.Series, names: list[str]) -> None:
