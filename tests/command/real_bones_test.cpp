@@ -3,7 +3,6 @@
 // lie beside the project: the environment variable IMPINGE_BONES names their folder. Without it there is
 // nothing to compare.
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <random>
@@ -18,7 +17,6 @@
 #include "hip/sphere_fit.hpp"
 #include "joint/document.hpp"
 #include "joint/gaps.hpp"
-#include "joint/limits.hpp"
 #include "mesh/io.hpp"
 #include "mesh/validation.hpp"
 
@@ -153,51 +151,6 @@ TriangleMesh above(const TriangleMesh& mesh, double share) {
       kept.faces.push_back(face);
   }
   return kept;
-}
-
-// Degrees about the described centre, from FCL in steps of 0.5 degrees, bisected, by another program.
-struct FirstMeeting {
-  const char* subject;
-  const char* axes;
-  std::array<double, 6> whole;    // flexion, extension, abduction, adduction, internal, external rotation
-  std::array<double, 6> cropped;  // femoral_head.ply and acetabulum.ply; 0: not asked
-};
-
-TEST(RealBones, TurnUntilSurfacesMeet) {
-  const std::array<FirstMeeting, 2> known{
-      {{"vsd_z013_right",
-        "LPS",
-        {122.803, 30.322, 62.244, 14.172, 70.350, 16.734},
-        {122.803, 30.322, 62.244, 22.175, 70.350, 16.734}},
-       {"cargen_left", "RAS", {120.553, 20.831, 40.959, 30.217, 90.319, 23.155}, {}}}};
-  const std::array<const char*, 6> motions{"flexion",   "extension",         "abduction",
-                                           "adduction", "internal_rotation", "external_rotation"};
-  for (const fs::path& hip : hips()) {
-    const auto of = std::ranges::find(known, hip.filename().string(), &FirstMeeting::subject);
-    if (of == known.end()) continue;
-    const auto about = Json::parse(read_bytes(hip / "subject.json"))["center_of_rotation_mm"];
-    for (const bool whole : {true, false}) {
-      JointOptions options;
-      options.ball = hip / (whole ? "femur.ply" : "femoral_head.ply");
-      options.socket = hip / (whole ? "pelvis.ply" : "acetabulum.ply");
-      options.side = hip.string().ends_with("left") ? Side::left : Side::right;
-      options.axes = of->axes;
-      options.centre = Vec3(about[0], about[1], about[2]);
-      Session session = load_joint(options, {});
-      for (std::size_t k = 0; k < motions.size(); ++k) {
-        const double expected = (whole ? of->whole : of->cropped)[k];
-        if (expected == 0.0) continue;
-        const LimitAnswer found = answer_limits(session, {.start = {}, .growing = motions[k]}).front();
-        const TurnLimit& limit = found.told.limit;
-        EXPECT_NEAR(limit.low_deg, expected, 0.01) << hip << " " << motions[k] << " " << whole;
-        EXPECT_LT(limit.high_deg - limit.low_deg, 1e-6);
-        EXPECT_EQ(found.meets(), whole && k == 3 ? "bone beyond the rim and trochanter or shaft"
-                                 : k == 4        ? "head within the socket"
-                                                 : "rim and neck")
-            << hip << " " << motions[k] << " " << whole;
-      }
-    }
-  }
 }
 
 TriangleMesh noisy(TriangleMesh mesh, double mm, unsigned seed) {
