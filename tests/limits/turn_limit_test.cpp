@@ -320,7 +320,7 @@ TEST(TurnLimit, BehindManyGrazesIsFound) {
 }
 
 // Limits of the generated hips: a normal hip reaches what a clinician finds, a cam impinges anterosuperiorly.
-// (A left hip is the mirror image of a right one: tests/python/test_motion.py.)
+// (A left hip is the mirror image of a right one: tests/python/test_making.py.)
 
 constexpr std::size_t kHipFacesHere = 800;
 

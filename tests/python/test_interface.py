@@ -96,6 +96,11 @@ def test_what_cannot_be_used_is_refused_in_one_line(hip, case):
     assert text in str(refused.value) and "\n" not in str(refused.value)
 
 
+def test_a_required_pose_is_words_angles_or_a_dict(hip):
+    said = hip.resect(["flexion=90,internal_rotation=25", "flexion=100"], clearance_mm=0.4)["volume_mm3"]
+    assert hip.resect([[90, 0, 25], {"flexion": 100}], clearance_mm=0.4)["volume_mm3"] == said
+
+
 def members(tree):
     """Public names of a stub, with those of its classes."""
     names = set()

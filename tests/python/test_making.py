@@ -132,3 +132,9 @@ def test_pieces_centres_and_contact_are_warned_of(files):
         joint.certify()
     with pytest.raises(ValueError, match="overlap_mm: is no length"):
         impinge.Joint.from_arrays(ball, socket, overlap_mm=-1)
+
+
+def test_left_and_right_are_mirror_images():
+    found = [impinge.Joint.from_hip("mixed", faces=900, side=side).limits("abduction")["limits"][0] for side in ("left", "right")]
+    assert found[0]["low_deg"] == pytest.approx(found[1]["low_deg"], abs=1e-6)
+    assert found[0]["clock"] == found[1]["clock"]
