@@ -159,13 +159,6 @@ class Program(GeneratedPair):
         other = self.impinge("poses", "many", "--path", "flexion=0..9/1")
         self.assertIn("many/poses-0123456789abcdef.part is left from an earlier command", other.stderr)
 
-    def test_poses_come_from_a_file(self):
-        poses = self.root / "two.csv"
-        poses.write_text("flexion\n0\n20\n")
-        self.answered("poses", "of_file", "--poses", poses, "--outputs", "touch")
-        self.assertEqual((self.root / "of_file" / "poses.csv").read_text().splitlines()[1:],
-                         ["1,no,yes,,,,,,0", "2,no,yes,,,,,,20"])
-
     def test_proven_ends_are_printed_outward(self):
         done = self.answered("gaps", "outward", "--precision", 2, "--pose", "flexion=30,abduction=10", "--side", "left")
         bound, low, high = (
@@ -176,18 +169,6 @@ class Program(GeneratedPair):
         ends = [smallest["error_bound_mm"], *smallest["euclidean_distance_mm"]]
         self.assertTrue(0 <= bound - ends[0] < 1e-3, done.stdout)
         self.assertTrue(-1e-3 < low - ends[1] <= 0 <= high - ends[2] < 1e-3, (done.stdout, ends))
-
-    def test_files_of_an_earlier_command_are_named(self):
-        self.answered("gaps", "twice", "--precision", 2)
-        before = (self.root / "twice" / "gaps.csv").read_bytes()
-        done = self.impinge("gaps", "twice", "--precision", 2, "--surfaces", "ball", "--outputs", "gaps")
-        self.assertIn("twice/{socket.ply,distances.csv} is left from an earlier command", done.stderr)
-        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
-        self.assertNotEqual((self.root / "twice" / "gaps.csv").read_bytes(), before)
-        done = self.impinge("touch", "twice")
-        self.assertIn("twice/{ball.ply,gaps.csv} is left", done.stderr)
-        self.answered("gaps", "twice", "--precision", 2)
-        self.assertEqual((self.root / "twice" / "gaps.csv").read_bytes(), before)
 
     def test_help(self):
         """Each command has an example that begins with its name; without a command there is help, too."""

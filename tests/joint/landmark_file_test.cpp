@@ -77,6 +77,7 @@ TEST_F(LandmarkFile, WhatIsNoneSaysWhy) {
         {"a.csv", "label,r,p,s\nasis_right,1,2,3\n", "line 1 does not name the columns"},
         {"a.csv", "label,r,a,s\n\nasis_right,1,here,3\n", "line 3 has 'here', which is no number"},
         {"a.csv", "label,r,a,s\nasis_right,1,2\n", "line 2 has 3 fields below 4 names"},
+        {"a.csv", "label,x,y,z\nasis_right,1,2,3,4\n", "line 2 has 5 fields below 4 names"},
         {"a.csv", "label,r,a,s\nasis_right,1,2,3\nRight ASIS,1,2,3\n", "Right ASIS is there twice"},
         {"a.csv", "label,r,a,s\nF-1,1,2,3\nF-2,1,2,3\n",
          "its labels are of no landmark: F-1, F-2; call them asis_right"},
@@ -85,7 +86,11 @@ TEST_F(LandmarkFile, WhatIsNoneSaysWhy) {
         {"a.fcsv", "# columns = id,x,y\n", "line 1 does not name the columns"},
         {"a.fcsv", "asis_right,1\n", "line 1 has 2 fields below 6 names"},
         {"a.mrk.json", R"({"markups": [{"controlPoints": [{"label": "F-1", "position": [1, 2, 3]}]}]})",
-         "its labels are of no landmark: F-1;"}}) {
+         "its labels are of no landmark: F-1;"},
+        {"a.mrk.json", R"({"markups": [)", "has no markups"},
+        {"a.mrk.json", "[]", "has no markups"},
+        {"a.mrk.json", R"({"markups": [{"coordinateSystem": "XYZ", "controlPoints": []}]})",
+         "its coordinateSystem is neither LPS nor RAS"}}) {
     const std::string said = refused(name, bytes);
     EXPECT_NE(said.find(word), said.npos) << bytes << said;
     EXPECT_EQ(said.find('\n'), said.npos);
