@@ -4,8 +4,8 @@
 
 Prints on what each was made; the verdicts and findings that differ, of those that both runs give by the same rule; the errors
 above their proven bounds, in either run; how many numbers of each CSV differ, of one with times those that count answers
-(ANSWERS) alone; and the ratios of the times, second over first. The spread of a ratio is that of both medians: their interquartile ranges, as shares, in quadrature. A ratio
-that differs from 1 by less than its spread means nothing.
+(ANSWERS) alone; and the ratios of the times, second over first. The spread of a ratio is that of both medians: their
+interquartile ranges, as shares, in quadrature. A ratio that differs from 1 by less than its spread means nothing.
 Rows are compared if both runs have as many and their words agree. Exit code 0 if only times changed, 1 if anything else did, 2
 for a folder that is no run. Standard library only.
 """

@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
 import pandas as pd
 
 import common
@@ -127,3 +128,9 @@ def _printed(values: pd.Series) -> str:
 def _cell(values: pd.Series) -> str:
     """A number for reading, or a dash for none."""
     return (common.digits(values.iloc[0]) if len(values) else "") or "---"
+
+
+def slope(x: pd.Series, y: pd.Series) -> float:
+    """Exponent b of the power law y = a x^b that fits best in logarithms; NaN for fewer than two points."""
+    known = np.isfinite(y) & (y > 0)
+    return float(np.polyfit(np.log(x[known]), np.log(y[known]), 1)[0]) if known.sum() > 1 else math.nan

@@ -21,7 +21,7 @@ from pathlib import Path
 import pandas as pd
 
 import common
-from common import log_plot, strain, tally, timing
+from common import strain, tally, timing
 from findings import finding
 from paper import baselines, cells, error_against_time, limits, needs, studies, theorems, volume, whole
 from verdicts import verdict
@@ -76,12 +76,12 @@ def timing_facts(results: Path, table: timing.TimingTable) -> dict[str, str]:
     facts = {}
     for method in lines.method.unique():
         mine = (lines.method == method) & ~lines.extrapolated
-        facts[f"exponent:{table.data}:{method}"] = f"{log_plot.slope(size[mine], lines.measured_ms[mine]):.2f}"
+        facts[f"exponent:{table.data}:{method}"] = f"{timing.slope(size[mine], lines.measured_ms[mine]):.2f}"
         every = lines.method == method
         if lines.thesis_ms[every].notna().any():
             facts[
                 f"exponent-thesis:{table.data}:{method}"
-            ] = f"{log_plot.slope(size[every], lines.thesis_ms[every]):.2f}"
+            ] = f"{timing.slope(size[every], lines.thesis_ms[every]):.2f}"
     facts |= ratio_facts(lines, table)
     data = common.load(results, table.data)
     rounds = data[~data.extrapolated].rounds

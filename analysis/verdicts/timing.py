@@ -14,7 +14,7 @@ from pathlib import Path
 import pandas as pd
 
 import common
-from common import log_plot, timing
+from common import timing
 from common.ranges import MACHINE, Range, all_of, both, slope_limits, slope_range, union
 from common.tally import NOT_COUNTED
 from verdicts.verdict import judged, not_counted, ranged, row, value_row
@@ -69,7 +69,7 @@ class Times:
         keys = [key for key, name in self.thesis if name == column and math.isfinite(self.thesis[key, column])]
         keys = [key for key in keys if self.ways(key, [column, timing.REFERENCE])]
         sizes = pd.Series([1 / key if self.table.key == "precision_deg" else key for key in keys])
-        theirs = log_plot.slope(sizes, pd.Series([self.thesis[key, column] / self.thesis[key, timing.REFERENCE] for key in keys]))
+        theirs = timing.slope(sizes, pd.Series([self.thesis[key, column] / self.thesis[key, timing.REFERENCE] for key in keys]))
         found = []
         for choice in self.choices(keys, [column, timing.REFERENCE]):
             ratios = [timing.spread(way[column]) / timing.spread(way[timing.REFERENCE]) for way in choice]
@@ -251,7 +251,7 @@ def growth_row(times: Times, column: str) -> dict:
     scaled = any(way[column].extrapolated for way in choices[0])
     choices = [choice for choice in choices if not any(way[column].extrapolated for way in choice)]
     sizes = pd.Series([1 / key if times.table.key == "precision_deg" else key for key in known])
-    theirs = log_plot.slope(sizes, pd.Series([times.thesis[key, column] for key in known]))
+    theirs = timing.slope(sizes, pd.Series([times.thesis[key, column] for key in known]))
     clock = slope_limits(sizes, [times.printed(key, column) for key in known])
     shared = {"thesis": f"{theirs:.2f}", "unit": "exponent", "tolerance": f"{MOST_OFF}",
               "rule": f"power of {what_grows(times.table)} that fits the times, as near as n to n^1.25; all of its range, of times that settled"
@@ -264,7 +264,7 @@ def growth_row(times: Times, column: str) -> dict:
         name = ", ".join(dict.fromkeys(f"{way[column].joint.replace('_', ' ')}, {common.label(way[column].method)}" for way in choice[-1:]))
         found[name] = slope_range([way[column]["size"] for way in choice], [timing.spread(way[column]) for way in choice])
     first = [way[column] for way in choices[0]]
-    ours = log_plot.slope(pd.Series([line["size"] for line in first]), pd.Series([line.measured_ms for line in first]))
+    ours = timing.slope(pd.Series([line["size"] for line in first]), pd.Series([line.measured_ms for line in first]))
     best, allowed = (Range(ends.low - MOST_OFF, ends.high + MOST_OFF) for ends in (Range(theirs, theirs), clock))
     good = {name: meets(one, best, allowed) for name, one in found.items()}
     settled = not any(way[column].inconclusive for choice in choices for way in choice)

@@ -18,7 +18,7 @@ import numpy as np  # noqa: E402
 import pandas as pd  # noqa: E402
 
 import common  # noqa: E402
-from common import drawing, log_plot, measured, pareto, ranges, tally, timing, work_precision  # noqa: E402
+from common import drawing, measured, pareto, ranges, tally, timing, work_precision  # noqa: E402
 from findings import finding  # noqa: E402
 from report import data_table, judged, markup, reference  # noqa: E402
 from verdicts import conchoid as verdicts_conchoid, memory as verdicts_memory  # noqa: E402
@@ -195,7 +195,7 @@ class Numbers(unittest.TestCase):
 
     def test_slope(self):
         x = pd.Series([1.0, 2.0, 4.0])
-        self.assertAlmostEqual(log_plot.slope(x, 3 * x**2), 2)
+        self.assertAlmostEqual(timing.slope(x, 3 * x**2), 2)
 
     def test_tex(self):
         self.assertEqual(common.tex("50 % of a_b"), r"50 \% of a\_b")
@@ -483,7 +483,7 @@ class Ranges(unittest.TestCase):
         x = np.array([300.0, 1000, 3000, 12000])
         y = [ranges.Range(value**1.5 / 1.3, value**1.5 * 1.3) for value in x]
         found = ranges.slope_range(x, y)
-        drawn = [log_plot.slope(pd.Series(x), pd.Series(x**1.5 * 1.3 ** random.uniform(-1, 1, 4))) for _ in range(300)]
+        drawn = [timing.slope(pd.Series(x), pd.Series(x**1.5 * 1.3 ** random.uniform(-1, 1, 4))) for _ in range(300)]
         self.assertGreater(np.mean([found.low < slope < found.high for slope in drawn]), 0.95)
         self.assertAlmostEqual((found.low + found.high) / 2, 1.5)
 
@@ -491,7 +491,7 @@ class Ranges(unittest.TestCase):
         """The least and the largest slope of all corners; open above where a small one may have taken no time."""
         x, y = [1.0, 2, 10, 20], [ranges.Range(1, 3), ranges.Range(2, 4), ranges.Range(3, 5), ranges.Range(9, 12)]
         corners = itertools.product(*((one.low, one.high) for one in y))
-        drawn = [log_plot.slope(pd.Series(x), pd.Series(corner)) for corner in corners]
+        drawn = [timing.slope(pd.Series(x), pd.Series(corner)) for corner in corners]
         found = ranges.slope_limits(x, y)
         self.assertAlmostEqual(found.low, min(drawn))
         self.assertAlmostEqual(found.high, max(drawn))
